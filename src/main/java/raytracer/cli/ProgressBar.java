@@ -1,0 +1,98 @@
+package raytracer.cli;
+
+import java.io.Console;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.function.DoubleSupplier;
+import java.util.function.Supplier;
+
+/** Shows on a terminal how far rendering is and how long it will take, once it has lasted a moment. */
+final class ProgressBar {
+
+    private static final long FIRST_MILLIS = 500;
+    private static final long NEXT_MILLIS = 200;
+    private static final int WIDTH = 40;
+
+    private final PrintStream err;
+    private final DoubleSupplier progress;
+    private final Stopwatch elapsed = new Stopwatch();
+    private final Thread thread = new Thread(this::show, "progress");
+    private boolean shown;
+
+    private ProgressBar(PrintStream err, DoubleSupplier progress) {
+        this.err = err;
+        this.progress = progress;
+    }
+
+    /** Does some work, and shows its progress meanwhile if that is wanted and {@code err} is a terminal. */
+    static <T> T during(Supplier<T> work, PrintStream err, boolean quiet, DoubleSupplier progress) {
+        if (quiet || err != System.err || !isTerminal()) {
+            return work.get();
+        }
+        ProgressBar bar = new ProgressBar(err, progress);
+        bar.thread.setDaemon(true);
+        bar.thread.start();
+        try {
+            return work.get();
+        } finally {
+            bar.close();
+        }
+    }
+
+    private static boolean isTerminal() {
+        Path standardError = Path.of("/proc/self/fd/2");
+        try {
+            if (Files.isSymbolicLink(standardError)) {
+                return Files.readSymbolicLink(standardError).toString().matches("/dev/(pts/|tty).*");
+            }
+        } catch (IOException e) {
+            return false;
+        }
+        Console console = System.console();
+        if (console == null) {
+            return false;
+        }
+        try {
+            // Since Java 22 there is a console without a terminal; this asks it.
+            return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException e) {
+            return true;
+        }
+    }
+
+    private void show() {
+        try {
+            Thread.sleep(FIRST_MILLIS);
+            while (true) {
+                err.print("\r" + line(progress.getAsDouble(), elapsed.millis() / 1e3));
+                err.flush();
+                shown = true;
+                Thread.sleep(NEXT_MILLIS);
+            }
+        } catch (InterruptedException closed) {
+            if (shown) {
+                err.print("\r" + " ".repeat(WIDTH + 30) + "\r");
+                err.flush();
+            }
+        }
+    }
+
+    static String line(double part, double seconds) {
+        int full = (int) (WIDTH * part);
+        String left = part > 0 ? String.format(Locale.ROOT, ", %.0f s left", Math.ceil(seconds * (1 - part) / part)) : "";
+        return String.format(Locale.ROOT, "[%s%s] %3.0f %%%s  ", "#".repeat(full), " ".repeat(WIDTH - full),
+                Math.floor(100 * part), left);
+    }
+
+    private void close() {
+        thread.interrupt();
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package raytracer.image;
+
+import java.awt.Point;
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferByte;
+import java.awt.image.Raster;
+import java.util.concurrent.atomic.LongAdder;
+
+/**
+ * A picture of 8 bits a component, and the one place where linear colour becomes bytes. Threads may set different
+ * pixels at the same time.
+ */
+public final class Image {
+
+    private static final int COMPONENTS = 3;
+
+    /** What a Java array of bytes can hold. */
+    private static final long MOST_BYTES = Integer.MAX_VALUE - 8;
+
+    private final int width;
+    private final int height;
+    private final byte[] bytes;
+    private final LongAdder undefined = new LongAdder();
+
+    /**
+     * A black picture.
+     *
+     * @throws IllegalArgumentException if {@link #bytes} is more than {@link #mostBytes}
+     */
+    public Image(int width, int height) {
+        if (bytes(width, height) > MOST_BYTES) {
+            throw new IllegalArgumentException(width + "x" + height + " is larger than a picture can be");
+        }
+        this.width = width;
+        this.height = height;
+        bytes = new byte[COMPONENTS * width * height];
+    }
+
+    /** The memory that a picture takes. */
+    public static long bytes(int width, int height) {
+        return Math.multiplyExact(COMPONENTS * (long) width, (long) height);
+    }
+
+    public static long mostBytes() {
+        return MOST_BYTES;
+    }
+
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    /** Sets a pixel; each component is cut to [0, 1] and rounded to the nearest of 256 steps. */
+    public void set(int x, int y, double red, double green, double blue) {
+        if (Double.isNaN(red + green + blue)) {
+            undefined.increment();
+        }
+        int i = COMPONENTS * (y * width + x);
+        bytes[i] = quantise(red);
+        bytes[i + 1] = quantise(green);
+        bytes[i + 2] = quantise(blue);
+    }
+
+    /** A pixel as 0xRRGGBB. */
+    public int rgb(int x, int y) {
+        int i = COMPONENTS * (y * width + x);
+        return (bytes[i] & 255) << 16 | (bytes[i + 1] & 255) << 8 | bytes[i + 2] & 255;
+    }
+
+    /** How many pixels were set to no number: none, unless the tracer has a fault. */
+    public long undefinedPixels() {
+        return undefined.sum();
+    }
+
+    /**
+     * floor(255 c + 1/2) of the double c exactly: the product's rounding error is put right, since it would decide the
+     * many colours such as .3 that are half a step but for their own last bit. NaN becomes 0.
+     */
+    static byte quantise(double c) {
+        double cut = Math.min(1, Math.max(0, c));
+        double steps = 255 * cut;
+        double rest = Math.fma(255, cut, -steps);
+        int nearest = (int) (steps + 0.5);
+        // Exact: both are multiples of the last bit of steps, and close.
+        double above = steps - (nearest - 0.5);
+        return (byte) (above < 0 || above == 0 && rest < 0 ? nearest - 1 : nearest);
+    }
+
+    /** The same bytes as the standard library's picture. */
+    public BufferedImage toBufferedImage() {
+        int[] offsets = {0, 1, 2};
+        ComponentColorModel model = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
+        return new BufferedImage(model, Raster.createInterleavedRaster(
+                new DataBufferByte(bytes, bytes.length), width, height, COMPONENTS * width, COMPONENTS, offsets,
+                new Point()), false, null);
+    }
+}

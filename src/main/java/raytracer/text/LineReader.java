@@ -1,0 +1,117 @@
+package raytracer.text;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
+
+/**
+ * Cuts a stream into lines, in place: one buffer that holds at least the current line, nothing allocated per line.
+ * The byte behind a line is always a line feed, so that scanning loops need no other end.
+ */
+final class LineReader {
+
+    /** In bytes. Far more than any command needs, and little enough that a file without line breaks does no harm. */
+    static final int LONGEST_LINE = 1 << 20;
+
+    private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
+
+    private final InputStream in;
+    private byte[] buffer = new byte[1 << 18];
+    private int filled;
+    private int start;
+    private int end;
+    private int next;
+    private long number;
+    private boolean tooLong;
+
+    LineReader(InputStream in) {
+        this.in = in;
+    }
+
+    /** Goes to the next line; false if there is none, or if it is too long to be read. */
+    boolean advance() throws IOException {
+        start = next;
+        int from = start;
+        while (true) {
+            int feed = indexOfLineFeed(from);
+            if (feed >= 0) {
+                return settle(feed, feed + 1);
+            }
+            int length = filled - start;
+            if (length >= LONGEST_LINE) {
+                tooLong = true;
+                number++;
+                end = start;
+                return false;
+            }
+            if (!fill()) {
+                if (length == 0) {
+                    return false;
+                }
+                buffer[filled] = '\n';
+                return settle(filled, filled);
+            }
+            from = start + length;
+        }
+    }
+
+    private boolean settle(int lineEnd, int nextStart) {
+        end = lineEnd > start && buffer[lineEnd - 1] == '\r' ? lineEnd - 1 : lineEnd;
+        buffer[end] = '\n';
+        next = nextStart;
+        if (++number == 1 && Arrays.equals(buffer, start, Math.min(start + 3, end), BYTE_ORDER_MARK, 0, 3)) {
+            start += BYTE_ORDER_MARK.length;
+        }
+        return true;
+    }
+
+    private int indexOfLineFeed(int from) {
+        byte[] bytes = buffer;
+        for (int i = from; i < filled; i++) {
+            if (bytes[i] == '\n') {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** Reads more behind what is there; false at the end of the stream. Always leaves room for a line feed. */
+    private boolean fill() throws IOException {
+        if (start > 0) {
+            System.arraycopy(buffer, start, buffer, 0, filled - start);
+            filled -= start;
+            next -= start;
+            start = 0;
+        }
+        if (filled + 1 == buffer.length) {
+            buffer = Arrays.copyOf(buffer, 2 * buffer.length);
+        }
+        int read = in.readNBytes(buffer, filled, buffer.length - 1 - filled);
+        filled += read;
+        return read > 0;
+    }
+
+    byte[] buffer() {
+        return buffer;
+    }
+
+    /** Where the current line starts in the buffer. */
+    int start() {
+        return start;
+    }
+
+    /** Behind the current line's last byte, a carriage return not counted; a line feed stands there. */
+    int end() {
+        return end;
+    }
+
+    /** The current line's number, from 1; 0 before the first. */
+    long number() {
+        return number;
+    }
+
+    /** Whether reading stopped at a line of more than {@link #LONGEST_LINE} bytes. */
+    boolean tooLong() {
+        return tooLong;
+    }
+}

@@ -1,0 +1,157 @@
+package raytracer.text;
+
+import raytracer.scene.Colour;
+import raytracer.scene.Vector;
+
+/**
+ * The numbers behind a command's keyword. A rule asks for them by position, as the kind of thing they must be; what is
+ * out of range is rejected with its place.
+ */
+final class Operands {
+
+    /** Says that a command was rejected; the error has been reported. */
+    static final class Rejected extends Exception {
+        private static final long serialVersionUID = 1;
+
+        private Rejected() {
+            super(null, null, false, false);
+        }
+    }
+
+    private static final Rejected REJECTED = new Rejected();
+
+    private static final int MOST = 10;
+
+    private final Line line;
+    private final Diagnostics diagnostics;
+    private final double[] values = new double[MOST];
+    private final int[] from = new int[MOST];
+    private final int[] to = new int[MOST];
+    private int keywordFrom;
+    private int keywordTo;
+    private String keyword;
+    private String[] names;
+
+    Operands(Line line, Diagnostics diagnostics) {
+        this.line = line;
+        this.diagnostics = diagnostics;
+    }
+
+    /** Reads the operands of the command whose keyword is the line's current word. */
+    void read(String command, String[] operandNames) throws Rejected {
+        readKeyword(command, operandNames);
+        for (int i = 0; i < operandNames.length; i++) {
+            double value = line.nextNumber();
+            from[i] = line.from();
+            to[i] = line.to();
+            if (!Double.isFinite(value)) {
+                throw line.from() == line.to() ? wrongCount(i) : notANumber(i, value);
+            }
+            values[i] = value;
+        }
+        if (line.nextWord()) {
+            throw wrongCount(operandNames.length);
+        }
+    }
+
+    /** Reads the rest of the line as one text: an operand that may hold blanks. */
+    String readText(String command, String[] operandNames) throws Rejected {
+        readKeyword(command, operandNames);
+        if (!line.rest()) {
+            throw reject(keywordTo, keywordTo + 1, "expected a name after '" + keyword + "', found none");
+        }
+        from[0] = line.from();
+        to[0] = line.to();
+        return line.word();
+    }
+
+    private void readKeyword(String command, String[] operandNames) {
+        keyword = command;
+        names = operandNames;
+        keywordFrom = line.from();
+        keywordTo = line.to();
+    }
+
+    private Rejected notANumber(int i, double value) {
+        return reject(i, Double.isNaN(value) ? "to be a decimal number" : "to be within a double's range (1.8e308)");
+    }
+
+    /** The line's current word is the first that is too many; or there is none, and some are missing. */
+    private Rejected wrongCount(int read) {
+        boolean tooMany = read == names.length;
+        int start = tooMany ? line.from() : read > 0 ? from[0] : keywordTo;
+        int end = tooMany ? line.to() : read > 0 ? to[read - 1] : keywordTo + 1;
+        int found = read;
+        if (tooMany) {
+            do {
+                found++;
+                end = line.to();
+            } while (line.nextWord());
+        }
+        return reject(start, end, "expected " + names.length + (names.length == 1 ? " number" : " numbers") + " after '"
+                + keyword + "' (" + String.join(" ", names) + "), found " + found);
+    }
+
+    double number(int i) {
+        return values[i];
+    }
+
+    double positive(int i) throws Rejected {
+        return values[i] > 0 ? values[i] : refuse(i, "to be more than 0");
+    }
+
+    /** A whole number within these bounds. */
+    int whole(int i, int least, int most) throws Rejected {
+        double value = values[i];
+        if (!(value >= least && value <= most && value == Math.rint(value))) {
+            refuse(i, "to be a whole number from " + least + " to " + most);
+        }
+        return (int) value;
+    }
+
+    Vector vector(int i) {
+        return new Vector(values[i], values[i + 1], values[i + 2]);
+    }
+
+    /** A vector that points somewhere. */
+    Vector direction(int i) throws Rejected {
+        if (values[i] == 0 && values[i + 1] == 0 && values[i + 2] == 0) {
+            throw reject(from[i], to[i + 2], "expected " + names[i] + " " + names[i + 1] + " " + names[i + 2] + " of '"
+                    + keyword + "' to have a length, found 0 0 0");
+        }
+        return vector(i);
+    }
+
+    Colour colour(int i) throws Rejected {
+        return new Colour(notNegative(i), notNegative(i + 1), notNegative(i + 2));
+    }
+
+    private double notNegative(int i) throws Rejected {
+        return values[i] >= 0 ? values[i] : refuse(i, "to be 0 or more");
+    }
+
+    private double refuse(int i, String expectation) throws Rejected {
+        throw reject(i, expectation);
+    }
+
+    /** Reports that one operand is not what it should be. */
+    Rejected reject(int i, String expectation) {
+        return reject(from[i], to[i], "expected " + names[i] + " of '" + keyword + "' " + expectation + ", found "
+                + diagnostics.quote(from[i], to[i]));
+    }
+
+    /** Reports what is wrong with a run of operands, as a sentence of its own. */
+    Rejected rejectAll(int first, int last, String sentence) {
+        return reject(from[first], to[last], sentence);
+    }
+
+    /** Reports what is wrong with the command as such. */
+    Rejected rejectCommand(String sentence) {
+        return reject(keywordFrom, keywordTo, sentence);
+    }
+
+    private Rejected reject(int start, int end, String sentence) {
+        diagnostics.error(start, end, sentence);
+        return REJECTED;
+    }
+}

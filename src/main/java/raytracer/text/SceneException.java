@@ -1,0 +1,28 @@
+package raytracer.text;
+
+import java.util.List;
+
+/** A scene file that breaks the format; it carries what to tell its author. */
+public final class SceneException extends Exception {
+
+    private static final long serialVersionUID = 1;
+
+    private final transient List<Diagnostic> errors;
+    private final long unlisted;
+
+    SceneException(List<Diagnostic> errors, long unlisted) {
+        super(errors.get(0).toString());
+        this.errors = List.copyOf(errors);
+        this.unlisted = unlisted;
+    }
+
+    /** The first errors, in the order of the file; at least one. */
+    public List<Diagnostic> errors() {
+        return errors;
+    }
+
+    /** How many errors the file has beyond those listed. */
+    public long unlisted() {
+        return unlisted;
+    }
+}

@@ -1,0 +1,62 @@
+package raytracer.text;
+
+import java.util.ArrayList;
+import java.util.List;
+import raytracer.scene.Material;
+import raytracer.scene.Mesh;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+
+/** The shapes in the order of declaration; triangles that follow one another in one material become one run. */
+final class ShapeList {
+
+    private final List<Shape> shapes = new ArrayList<>();
+    private final Mesh.Builder mesh = new Mesh.Builder();
+    private int runStart;
+    private Material runMaterial;
+
+    void add(Shape shape) {
+        endRun();
+        shapes.add(shape);
+    }
+
+    void addVertex(double x, double y, double z) {
+        mesh.addVertex(x, y, z);
+    }
+
+    void addTriangle(int a, int b, int c, Material material) {
+        if (runMaterial != material) {
+            endRun();
+            runMaterial = material;
+        }
+        mesh.addTriangle(a, b, c);
+    }
+
+    private void endRun() {
+        if (runMaterial != null) {
+            shapes.add(new Shape.Triangles(runStart, mesh.triangles() - runStart, runMaterial));
+        }
+        runStart = mesh.triangles();
+        runMaterial = null;
+    }
+
+    int vertices() {
+        return mesh.vertices();
+    }
+
+    /** Whether the corners of the triangle added last lie on a line, as far as doubles can tell. */
+    boolean lastTriangleIsEmpty() {
+        Vector a = mesh.corner(0);
+        Vector normal = mesh.corner(1).minus(a).cross(mesh.corner(2).minus(a));
+        return normal.x() == 0 && normal.y() == 0 && normal.z() == 0;
+    }
+
+    List<Shape> list() {
+        endRun();
+        return shapes;
+    }
+
+    Mesh mesh() {
+        return mesh.build();
+    }
+}

@@ -1,0 +1,67 @@
+package raytracer.tracer;
+
+/** Surfaces of a finite size, many of them: a tree finds the few that a ray may meet. */
+abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Triangles {
+
+    private final int firstSlot;
+    private final int count;
+    private final Bvh bvh;
+
+    BoundedSurfaces(int firstSlot, Bvh bvh) {
+        this.firstSlot = firstSlot;
+        this.bvh = bvh;
+        count = bvh.order().length;
+    }
+
+    /** Offers a ray the surface with this number among these, if it meets it. */
+    abstract void meet(Rays rays, int ray, int k);
+
+    /** Whether the surface with this number among these is strictly between a point and its light. */
+    abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
+
+    final int slot(int k) {
+        return firstSlot + k;
+    }
+
+    final int number(int slot) {
+        return slot - firstSlot;
+    }
+
+    @Override
+    public final boolean owns(int slot) {
+        return slot >= firstSlot && slot < firstSlot + count;
+    }
+
+    @Override
+    public final void findNearest(Rays rays, BvhWalk walk) {
+        for (int i = 0; i < rays.count; i++) {
+            walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]);
+            while (walk.nextLeaf(rays.reach(i))) {
+                for (int k = walk.first(); k < walk.end(); k++) {
+                    meet(rays, i, k);
+                }
+            }
+        }
+    }
+
+    @Override
+    public final void block(Rays rays, ShadowRays shadows, BvhWalk walk) {
+        for (int i = 0; i < rays.count; i++) {
+            if (shadows.open[i]) {
+                walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i]);
+                shadows.open[i] = !anyBlocks(rays, shadows, i, walk);
+            }
+        }
+    }
+
+    private boolean anyBlocks(Rays rays, ShadowRays shadows, int ray, BvhWalk walk) {
+        while (walk.nextLeaf(shadows.distance[ray])) {
+            for (int k = walk.first(); k < walk.end(); k++) {
+                if (blocks(rays, shadows, ray, k)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,51 @@
+package raytracer.tracer;
+
+/**
+ * A bounding volume hierarchy with four children a node, and a few things beside it that are too large for a tree to
+ * be of use: every ray tries those.
+ *
+ * <p>Boxes are floats in the tree's own space, in which the things fill the cube from -1 to 1: centred so that a scene
+ * far from the origin keeps its digits, and scaled by a power of two, so that a scene of another unit gets the same
+ * tree. They are conservative: {@link #PADDING} covers every rounding between a thing and a ray's test of its box.
+ *
+ * @param order    the things: those beside the tree, then those in the order of the leaves
+ * @param beside   how many are beside the tree
+ * @param boxes    24 numbers a node: the four children's least x, greatest x, least y, ... greatest z
+ * @param children 4 a node: another node's number, or a leaf as {@link #leaf} makes it
+ * @param root     a node's number, a leaf, or {@link #EMPTY}
+ * @param scale    a power of two: tree space is (world - centre) * scale
+ */
+record Bvh(int[] order, int beside, float[] boxes, int[] children, int root,
+        double centreX, double centreY, double centreZ, double scale) {
+
+    static final int WIDTH = 4;
+    static final int BOX_STRIDE = 6 * WIDTH;
+
+    /** In place of a root. */
+    static final int EMPTY = Integer.MIN_VALUE;
+
+    /** The most things in a leaf. */
+    static final int LEAF_SIZE = 4;
+
+    /**
+     * By how much each box is larger than what it holds, on every side, in tree space. With v = 2^-24, floats' unit
+     * roundoff, and coordinates up to 1: a corner rounds by v, an origin by v, the origin times the reciprocal of the
+     * direction by 2v, and the slab distances, at most 2 sqrt 3, by 2v of themselves: 11v in all. The rest, 5v, keeps
+     * a box in reach whose hit would tie with the nearest (a bound on rounding as in Ize, Robust BVH Ray Traversal,
+     * JCGT 2013, in which the padding is at the far distance instead).
+     */
+    static final float PADDING = 16 * 0x1p-24f;
+
+    /** A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. */
+    static int leaf(int first, int count) {
+        return ~(first * LEAF_SIZE + count - 1);
+    }
+
+    static int leafFirst(int leaf) {
+        return ~leaf / LEAF_SIZE;
+    }
+
+    static int leafEnd(int leaf) {
+        return ~leaf / LEAF_SIZE + ~leaf % LEAF_SIZE + 1;
+    }
+}

@@ -1,0 +1,188 @@
+package raytracer.tracer;
+
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.RecursiveTask;
+
+/**
+ * Builds a {@link Bvh} from the top by the surface area heuristic, tried at 16 places along the axis on which the
+ * boxes' centres spread most ({@link Split}). Large parts are built in parallel; the tree does not depend on the number
+ * of threads.
+ */
+final class BvhBuilder {
+
+    /** Fewer things than this are not worth another task. */
+    private static final int PARALLEL_SIZE = 4096;
+
+    /** A thing is kept beside the tree if its box is more than this part as wide as all boxes together. */
+    private static final double TOO_WIDE = 0.5;
+
+    /** The most things beside the tree: each costs every ray a test. */
+    private static final int MOST_BESIDE = 8;
+
+    private final int[] things;
+    private final float[] boxes;
+
+    private BvhBuilder(int[] things, float[] boxes) {
+        this.things = things;
+        this.boxes = boxes;
+    }
+
+    static Bvh build(int count, Bounds bounds, ForkJoinPool pool) {
+        int[] order = new int[count];
+        for (int i = 0; i < count; i++) {
+            order[i] = i;
+        }
+        double[] all = enclosing(order, 0, bounds);
+        int beside = 0;
+        // Without the widest the others may have a much smaller box, in which some are the widest again.
+        for (int found = -1; found != beside; ) {
+            found = beside;
+            beside = setAside(order, beside, bounds, TOO_WIDE * width(all));
+            all = enclosing(order, beside, bounds);
+        }
+        double scale = scale(width(all));
+        double cx = middle(all, 0), cy = middle(all, 1), cz = middle(all, 2);
+        if (beside == count) {
+            return new Bvh(order, beside, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);
+        }
+        float[] boxes = treeBoxes(order, beside, bounds, new double[] {cx, cy, cz}, scale);
+        Nodes nodes = new Nodes();
+        int root = Bvh.leaf(beside, count - beside);
+        if (count - beside > Bvh.LEAF_SIZE) {
+            nodes = pool.invoke(new BvhBuilder(order, boxes).new Subtree(new Range(beside, count, 0, null), beside));
+            root = 0;
+        }
+        return new Bvh(order, beside, nodes.boxes(), nodes.children(), root, cx, cy, cz, scale);
+    }
+
+    /** Brings the things that are too wide to the front; all or, if there are too many of them, none. */
+    private static int setAside(int[] order, int from, Bounds bounds, double tooWide) {
+        double[] box = new double[6];
+        int wide = from;
+        for (int i = from; i < order.length; i++) {
+            bounds.of(order[i], box);
+            if (width(box) > tooWide) {
+                if (wide == MOST_BESIDE) {
+                    return from;
+                }
+                int thing = order[i];
+                order[i] = order[wide];
+                order[wide++] = thing;
+            }
+        }
+        return wide;
+    }
+
+    private static double[] enclosing(int[] order, int from, Bounds bounds) {
+        double inf = Double.POSITIVE_INFINITY;
+        double[] all = {inf, inf, inf, -inf, -inf, -inf};
+        double[] box = new double[6];
+        for (int i = from; i < order.length; i++) {
+            bounds.of(order[i], box);
+            for (int axis = 0; axis < 3; axis++) {
+                all[axis] = Math.min(all[axis], box[axis]);
+                all[axis + 3] = Math.max(all[axis + 3], box[axis + 3]);
+            }
+        }
+        return all;
+    }
+
+    private static double width(double[] box) {
+        return Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
+    }
+
+    private static double middle(double[] box, int axis) {
+        return box[axis] / 2 + box[axis + 3] / 2;
+    }
+
+    /** The power of two that brings half of a width to 1/2 or more, and below 1. */
+    private static double scale(double width) {
+        return width > 0 ? Math.scalb(1.0, -Math.getExponent(width)) : 1;
+    }
+
+    private static float[] treeBoxes(int[] order, int from, Bounds bounds, double[] centre, double scale) {
+        float[] boxes = new float[6 * (order.length - from)];
+        double[] box = new double[6];
+        for (int i = from; i < order.length; i++) {
+            bounds.of(order[i], box);
+            for (int side = 0; side < 6; side++) {
+                boxes[6 * (i - from) + side] = (float) ((box[side] - centre[side % 3]) * scale);
+            }
+        }
+        return boxes;
+    }
+
+    /** Things {@code from} to {@code to - 1}, the box around them and half of its surface. */
+    private record Range(int from, int to, float area, float[] box) {
+
+        int size() {
+            return to - from;
+        }
+    }
+
+    /** Builds the nodes below and including that of one range; its own node comes first. */
+    private final class Subtree extends RecursiveTask<Nodes> {
+
+        private static final long serialVersionUID = 1;
+
+        private final transient Range range;
+        private final int offset;
+        private final transient Split split;
+
+        /** @param offset where the first box's thing is in the order */
+        Subtree(Range range, int offset) {
+            this.range = range;
+            this.offset = offset;
+            split = new Split(things, boxes, offset);
+        }
+
+        @Override
+        protected Nodes compute() {
+            Nodes nodes = new Nodes();
+            grow(nodes, range);
+            return nodes;
+        }
+
+        private int grow(Nodes nodes, Range parent) {
+            int node = nodes.add();
+            Range[] parts = new Range[Bvh.WIDTH];
+            int count = split(parent, parts);
+            Subtree[] tasks = new Subtree[count];
+            for (int k = 0; k < count; k++) {
+                nodes.setBox(node, k, parts[k].box);
+                if (parts[k].size() >= PARALLEL_SIZE) {
+                    tasks[k] = new Subtree(parts[k], offset);
+                    tasks[k].fork();
+                }
+            }
+            for (int k = 0; k < count; k++) {
+                int child = parts[k].size() <= Bvh.LEAF_SIZE ? Bvh.leaf(parts[k].from, parts[k].size())
+                        : tasks[k] != null ? nodes.append(tasks[k].join()) : grow(nodes, parts[k]);
+                nodes.setChild(node, k, child);
+            }
+            return node;
+        }
+
+        /** Splits a range, then the larger-surfaced of its parts, until there are as many as a node has children. */
+        private int split(Range parent, Range[] parts) {
+            parts[0] = parent;
+            int count = 1;
+            while (count < Bvh.WIDTH) {
+                int widest = -1;
+                for (int k = 0; k < count; k++) {
+                    if (parts[k].size() > Bvh.LEAF_SIZE && (widest < 0 || parts[k].area > parts[widest].area)) {
+                        widest = k;
+                    }
+                }
+                if (widest < 0) {
+                    break;
+                }
+                Range whole = parts[widest];
+                int middle = split.at(whole.from, whole.to);
+                parts[widest] = new Range(whole.from, middle, split.leftArea(), split.leftBox());
+                parts[count++] = new Range(middle, whole.to, split.rightArea(), split.rightBox());
+            }
+            return count;
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package raytracer.tracer;
+
+/**
+ * A tile's rays, one array per quantity, and what they have met. The rays in use are the first {@link #count}; each
+ * belongs to one pixel of the tile.
+ */
+final class Rays {
+
+    /** Pixels of a tile's side. A quantity of a tile is 2 KB, so that a pass over several stays in the L1 cache. */
+    static final int TILE_SIDE = 16;
+
+    static final int CAPACITY = TILE_SIDE * TILE_SIDE;
+
+    /** In place of a slot: the ray leaves the eye, or it meets nothing. */
+    static final int NONE = -1;
+
+    int count;
+
+    final int[] pixel = new int[CAPACITY];
+
+    // Where each starts, and a bound on the error of each coordinate; the slot of the surface it leaves.
+    final double[] ox = new double[CAPACITY];
+    final double[] oy = new double[CAPACITY];
+    final double[] oz = new double[CAPACITY];
+    final double[] originError = new double[CAPACITY];
+    final int[] source = new int[CAPACITY];
+
+    // Where it goes: a unit vector.
+    final double[] dx = new double[CAPACITY];
+    final double[] dy = new double[CAPACITY];
+    final double[] dz = new double[CAPACITY];
+
+    // The nearest surface so far, its distance, and a bound on the distance's error.
+    final int[] hit = new int[CAPACITY];
+    final double[] distance = new double[CAPACITY];
+    final double[] distanceError = new double[CAPACITY];
+
+    // The unit normal where the ray has arrived.
+    final double[] nx = new double[CAPACITY];
+    final double[] ny = new double[CAPACITY];
+    final double[] nz = new double[CAPACITY];
+
+    // How much of the light that comes along the ray reaches the pixel.
+    final double[] red = new double[CAPACITY];
+    final double[] green = new double[CAPACITY];
+    final double[] blue = new double[CAPACITY];
+
+    /** By slot: the surface's number in the order of declaration. */
+    private final int[] declared;
+
+    Rays(int[] declared) {
+        this.declared = declared;
+    }
+
+    /** Forgets what was met. */
+    void clearHits() {
+        java.util.Arrays.fill(hit, 0, count, NONE);
+        java.util.Arrays.fill(distance, 0, count, Double.POSITIVE_INFINITY);
+        java.util.Arrays.fill(distanceError, 0, count, 0);
+    }
+
+    /** The distance beyond which no hit can be, or tie with, the nearest of a ray. */
+    double reach(int ray) {
+        return distance[ray] * (1 + Rounding.TIE_SIEVE) + distanceError[ray];
+    }
+
+    /**
+     * A ray meets a surface. The nearest counts; of two distances that rounding cannot tell apart, the surface that was
+     * declared first.
+     */
+    void offer(int ray, int slot, double t, double error) {
+        double margin = error + distanceError[ray];
+        double nearest = distance[ray];
+        boolean nearer = hit[ray] == NONE
+                ? t < Double.POSITIVE_INFINITY
+                : t < nearest - margin || t <= nearest + margin && declared[slot] < declared[hit[ray]];
+        if (nearer) {
+            hit[ray] = slot;
+            distance[ray] = t;
+            distanceError[ray] = error;
+        }
+    }
+
+    /**
+     * Moves a ray's origin to where it has met a plane or triangle.
+     *
+     * @param reach |x| + |y| + |z| of the surface's point of reference, seen from the old origin
+     */
+    void advance(int ray, double reach) {
+        double t = distance[ray];
+        ox[ray] += t * dx[ray];
+        oy[ray] += t * dy[ray];
+        oz[ray] += t * dz[ray];
+        originError[ray] = Rounding.planePosition(originError[ray], reach, t,
+                Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]));
+    }
+
+    /** Keeps a ray by moving it to a place at or before its own. */
+    void move(int from, int to) {
+        if (from == to) {
+            return;
+        }
+        pixel[to] = pixel[from];
+        ox[to] = ox[from];
+        oy[to] = oy[from];
+        oz[to] = oz[from];
+        originError[to] = originError[from];
+        source[to] = source[from];
+        dx[to] = dx[from];
+        dy[to] = dy[from];
+        dz[to] = dz[from];
+        hit[to] = hit[from];
+        distance[to] = distance[from];
+        distanceError[to] = distanceError[from];
+        nx[to] = nx[from];
+        ny[to] = ny[from];
+        nz[to] = nz[from];
+        red[to] = red[from];
+        green[to] = green[from];
+        blue[to] = blue[from];
+    }
+}

@@ -1,0 +1,131 @@
+package raytracer.tracer;
+
+import java.util.List;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+
+/**
+ * Spheres. Whether a ray meets one is decided by the perpendicular from the centre to the ray, which loses no digits to
+ * distance (Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
+ * 2019, chapter 7); where it does, by the power of the origin, which loses none to size ({@link PowerOfPoint}).
+ */
+final class Spheres extends BoundedSurfaces {
+
+    /** Numbers of one sphere in {@link #data}: centre and radius. */
+    private static final int STRIDE = 4;
+
+    private final double[] data;
+
+    /** @param spheres in the order of the tree's leaves */
+    Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh) {
+        super(firstSlot, bvh);
+        int count = spheres.size();
+        data = new double[STRIDE * count];
+        for (int k = 0; k < count; k++) {
+            Vector c = spheres.get(k).centre();
+            data[STRIDE * k] = c.x();
+            data[STRIDE * k + 1] = c.y();
+            data[STRIDE * k + 2] = c.z();
+            data[STRIDE * k + 3] = spheres.get(k).radius();
+        }
+    }
+
+    static Bounds bounds(List<Shape.Sphere> spheres) {
+        return (k, box) -> {
+            Vector c = spheres.get(k).centre();
+            double r = spheres.get(k).radius();
+            box[0] = c.x() - r;
+            box[1] = c.y() - r;
+            box[2] = c.z() - r;
+            box[3] = c.x() + r;
+            box[4] = c.y() + r;
+            box[5] = c.z() + r;
+        };
+    }
+
+    @Override
+    void meet(Rays rays, int i, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
+        double along = x * dx + y * dy + z * dz;
+        double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+        double square = r * r - (ex * ex + ey * ey + ez * ez);
+        if (!(square >= 0)) {
+            return;
+        }
+        double power = rays.source[i] == slot(k)
+                ? 0
+                : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
+        double half = Math.sqrt(square);
+        double t = distance(power, Rounding.power(rays.originError[i], r), along, half);
+        if (t > 0 && t <= rays.reach(i)) {
+            double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+            rays.offer(i, slot(k), t, Rounding.sphereDistance(rays.originError[i], reach, r, half, along));
+        }
+    }
+
+    /**
+     * The distance to the first meeting, not positive if there is none. The two distances multiply to the power and add
+     * up to -2 along; each is computed in the way that subtracts nothing alike.
+     *
+     * @param bound how small a power means that the ray starts on the sphere; from there only the other meeting counts
+     */
+    private static double distance(double power, double bound, double along, double half) {
+        if (Math.abs(power) <= bound) {
+            return -2 * along;
+        }
+        if (power > 0) {
+            return along < 0 ? power / (half - along) : -1;
+        }
+        return along <= 0 ? half - along : -power / (half + along);
+    }
+
+    /**
+     * Whether a sphere is met strictly between a point and a light. It follows from which of them are outside, inside
+     * and on the sphere, and needs no distance.
+     */
+    @Override
+    boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
+        double along = x * dx + y * dy + z * dz;
+        double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+        if (!(r * r - (ex * ex + ey * ey + ez * ez) >= 0)) {
+            return false;
+        }
+        double power = rays.hit[i] == slot(k)
+                ? 0
+                : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
+        int side = Math.abs(power) <= Rounding.power(rays.originError[i], r) ? 0 : power > 0 ? 1 : -1;
+        int lampSide = sideOfLamp(shadows.lamp, cx, cy, cz, r);
+        if (side < 0 || lampSide < 0) {
+            return side * lampSide < 0;
+        }
+        // Neither is inside: the ray must enter, and if it starts outside do so before the light.
+        return side == 0 ? along < 0 && lampSide > 0 : along < 0 && -along < shadows.distance[i];
+    }
+
+    private static int sideOfLamp(Lamp lamp, double cx, double cy, double cz, double r) {
+        return lamp.directional() ? 1 : (int) Math.signum(PowerOfPoint.of(lamp.x(), lamp.y(), lamp.z(), cx, cy, cz, r));
+    }
+
+    @Override
+    public void arrive(Rays rays, int i) {
+        int k = STRIDE * number(rays.hit[i]);
+        double cx = data[k], cy = data[k + 1], cz = data[k + 2], r = data[k + 3];
+        double t = rays.distance[i];
+        double x = rays.ox[i] - cx + t * rays.dx[i];
+        double y = rays.oy[i] - cy + t * rays.dy[i];
+        double z = rays.oz[i] - cz + t * rays.dz[i];
+        double length = Math.sqrt(x * x + y * y + z * z);
+        rays.nx[i] = x / length;
+        rays.ny[i] = y / length;
+        rays.nz[i] = z / length;
+        rays.ox[i] = cx + r * rays.nx[i];
+        rays.oy[i] = cy + r * rays.ny[i];
+        rays.oz[i] = cz + r * rays.nz[i];
+        rays.originError[i] = Rounding.spherePosition(Math.abs(cx) + Math.abs(cy) + Math.abs(cz), r);
+    }
+}

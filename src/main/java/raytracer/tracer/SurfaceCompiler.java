@@ -1,0 +1,131 @@
+package raytracer.tracer;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ForkJoinPool;
+import raytracer.scene.Material;
+import raytracer.scene.Mesh;
+import raytracer.scene.Scene;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+
+/** Sorts a scene's shapes by kind and gives each surface its slot: planes first, then spheres, then triangles. */
+final class SurfaceCompiler {
+
+    private final Mesh mesh;
+    private final ForkJoinPool pool;
+    private final SlotTable slots;
+
+    private final List<Shape.Plane> planes = new ArrayList<>();
+    private final List<Shape.Sphere> spheres = new ArrayList<>();
+    // Triangles with an area: their numbers in the mesh.
+    private final int[] triangles;
+    private int triangleCount;
+
+    // By number among the shapes of its kind: what goes to the slot table.
+    private final Origins planeOrigins;
+    private final Origins sphereOrigins;
+    private final Origins triangleOrigins;
+
+    /** Where surfaces of one kind come from, in the order of declaration. */
+    private static final class Origins {
+        final int[] declared;
+        final Material[] material;
+        int count;
+
+        Origins(int most) {
+            declared = new int[most];
+            material = new Material[most];
+        }
+
+        void add(int number, Material made) {
+            declared[count] = number;
+            material[count++] = made;
+        }
+    }
+
+    SurfaceCompiler(Scene scene, ForkJoinPool pool) {
+        this.mesh = scene.mesh();
+        this.pool = pool;
+        int shapes = scene.shapes().size();
+        planeOrigins = new Origins((int) scene.shapes().stream().filter(s -> s instanceof Shape.Plane).count());
+        sphereOrigins = new Origins((int) scene.shapes().stream().filter(s -> s instanceof Shape.Sphere).count());
+        triangleOrigins = new Origins(mesh.triangles());
+        triangles = new int[mesh.triangles()];
+        int declared = 0;
+        for (int i = 0; i < shapes; i++) {
+            Shape shape = scene.shapes().get(i);
+            sort(shape, declared);
+            declared = Math.addExact(declared, shape.count());
+        }
+        slots = new SlotTable(planes.size() + spheres.size() + triangleCount);
+    }
+
+    private void sort(Shape shape, int declared) {
+        if (shape instanceof Shape.Plane plane) {
+            planes.add(plane);
+            planeOrigins.add(declared, plane.material());
+        } else if (shape instanceof Shape.Sphere sphere) {
+            spheres.add(sphere);
+            sphereOrigins.add(declared, sphere.material());
+        } else if (shape instanceof Shape.Triangles run) {
+            for (int k = 0; k < run.count(); k++) {
+                Vector normal = Triangles.normal(mesh, run.first() + k);
+                if (normal.x() != 0 || normal.y() != 0 || normal.z() != 0) {
+                    triangles[triangleCount++] = run.first() + k;
+                    triangleOrigins.add(declared + k, run.material());
+                }
+            }
+        }
+    }
+
+    SlotTable slots() {
+        return slots;
+    }
+
+    Optional<Surfaces> planes() {
+        if (planes.isEmpty()) {
+            return Optional.empty();
+        }
+        for (int k = 0; k < planes.size(); k++) {
+            settle(k, planeOrigins, k);
+        }
+        return Optional.of(new Planes(planes, 0));
+    }
+
+    Optional<Surfaces> spheres() {
+        if (spheres.isEmpty()) {
+            return Optional.empty();
+        }
+        Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), pool);
+        int firstSlot = planes.size();
+        List<Shape.Sphere> ordered = new ArrayList<>(spheres.size());
+        for (int k = 0; k < spheres.size(); k++) {
+            ordered.add(spheres.get(bvh.order()[k]));
+            settle(firstSlot + k, sphereOrigins, bvh.order()[k]);
+        }
+        return Optional.of(new Spheres(ordered, firstSlot, bvh));
+    }
+
+    Optional<Surfaces> triangles() {
+        if (triangleCount == 0) {
+            return Optional.empty();
+        }
+        int[] solid = Arrays.copyOf(triangles, triangleCount);
+        Bvh bvh = BvhBuilder.build(triangleCount, Triangles.bounds(mesh, solid), pool);
+        int firstSlot = planes.size() + spheres.size();
+        int[] ordered = new int[triangleCount];
+        for (int k = 0; k < triangleCount; k++) {
+            ordered[k] = solid[bvh.order()[k]];
+            settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
+        }
+        return Optional.of(new Triangles(mesh, ordered, firstSlot, bvh));
+    }
+
+    private void settle(int slot, Origins from, int k) {
+        slots.declared()[slot] = from.declared[k];
+        slots.material()[slot] = from.material[k];
+    }
+}

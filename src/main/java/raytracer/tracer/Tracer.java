@@ -1,0 +1,50 @@
+package raytracer.tracer;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ForkJoinPool;
+import raytracer.scene.Scene;
+
+/**
+ * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size. Immutable;
+ * threads share it, and each traces with a {@link TileTracer} of its own.
+ */
+public final class Tracer {
+
+    /** Pixels of a tile's side: the unit of work. */
+    public static final int TILE_SIDE = Rays.TILE_SIDE;
+
+    private final Pinhole pinhole;
+    private final List<Surfaces> surfaces;
+    private final SlotTable slots;
+    private final List<Lamp> lamps;
+    private final int maxDepth;
+
+    private Tracer(Scene scene, List<Surfaces> surfaces, SlotTable slots) {
+        this.surfaces = surfaces;
+        this.slots = slots;
+        pinhole = new Pinhole(scene);
+        lamps = scene.lights().stream().map(Lamp::of).toList();
+        maxDepth = scene.maxDepth();
+    }
+
+    /** @param threads how many threads build trees; what is built does not depend on it */
+    public static Tracer compile(Scene scene, int threads) {
+        ForkJoinPool pool = new ForkJoinPool(threads);
+        try {
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, pool);
+            List<Surfaces> surfaces = new ArrayList<>();
+            compiler.planes().ifPresent(surfaces::add);
+            compiler.spheres().ifPresent(surfaces::add);
+            compiler.triangles().ifPresent(surfaces::add);
+            return new Tracer(scene, List.copyOf(surfaces), compiler.slots());
+        } finally {
+            pool.shutdown();
+        }
+    }
+
+    /** A tracer for one thread's use. */
+    public TileTracer newTileTracer() {
+        return new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
+    }
+}

@@ -1,0 +1,125 @@
+package raytracer.tracer;
+
+import raytracer.scene.Mesh;
+import raytracer.scene.Vector;
+
+/**
+ * Triangles. A ray meets one where it meets its plane, if it passes all three edges on the same side. The side of an
+ * edge is the sign of direction . (a x b), a and b being the edge's ends seen from the origin: two triangles that share
+ * an edge compute the same number for it but for its sign, so no ray slips between them (the argument of Woop, Benthin
+ * and Wald, Watertight Ray/Triangle Intersection, JCGT 2013, in the coordinates of Davidovic et al., 3D Rasterization:
+ * A Bridge between Rasterization and Ray Casting, 2012). On an edge a ray meets both.
+ */
+final class Triangles extends BoundedSurfaces {
+
+    /** Numbers of one triangle in {@link #data}: three corners and the unit normal. */
+    private static final int STRIDE = 12;
+
+    private final double[] data;
+
+    /** @param order which triangles of the mesh, in the order of the tree's leaves; none of them without area */
+    Triangles(Mesh mesh, int[] order, int firstSlot, Bvh bvh) {
+        super(firstSlot, bvh);
+        int count = order.length;
+        data = new double[Math.multiplyExact(STRIDE, count)];
+        for (int k = 0; k < count; k++) {
+            for (int corner = 0; corner < 3; corner++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    data[STRIDE * k + 3 * corner + axis] = mesh.coordinate(order[k], corner, axis);
+                }
+            }
+            Vector n = normal(mesh, order[k]).unit();
+            data[STRIDE * k + 9] = n.x();
+            data[STRIDE * k + 10] = n.y();
+            data[STRIDE * k + 11] = n.z();
+        }
+    }
+
+    /** A vector along a triangle's normal; zero if the triangle has no area. */
+    static Vector normal(Mesh mesh, int triangle) {
+        Vector a = mesh.corner(triangle, 0);
+        return mesh.corner(triangle, 1).minus(a).cross(mesh.corner(triangle, 2).minus(a));
+    }
+
+    static Bounds bounds(Mesh mesh, int[] triangles) {
+        return (k, box) -> {
+            for (int axis = 0; axis < 3; axis++) {
+                double a = mesh.coordinate(triangles[k], 0, axis);
+                double b = mesh.coordinate(triangles[k], 1, axis);
+                double c = mesh.coordinate(triangles[k], 2, axis);
+                box[axis] = Math.min(a, Math.min(b, c));
+                box[axis + 3] = Math.max(a, Math.max(b, c));
+            }
+        };
+    }
+
+    @Override
+    void meet(Rays rays, int i, int k) {
+        int at = STRIDE * k;
+        double ax = data[at] - rays.ox[i], ay = data[at + 1] - rays.oy[i], az = data[at + 2] - rays.oz[i];
+        double nx = data[at + 9], ny = data[at + 10], nz = data[at + 11];
+        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
+        double offset = ax * nx + ay * ny + az * nz;
+        double cosine = dx * nx + dy * ny + dz * nz;
+        double t = offset / cosine;
+        if (!(t > 0 && t <= rays.reach(i))
+                || !passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], dx, dy, dz)
+                || rays.source[i] == slot(k)) {
+            return;
+        }
+        double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
+        if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
+            rays.offer(i, slot(k), t, Rounding.planeDistance(rays.originError[i], reach, t, cosine));
+        }
+    }
+
+    /** Whether the line of a ray passes a triangle's three edges on the same side, or on them. */
+    private boolean passesWithin(int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        double ax = data[at] - ox, ay = data[at + 1] - oy, az = data[at + 2] - oz;
+        double bx = data[at + 3] - ox, by = data[at + 4] - oy, bz = data[at + 5] - oz;
+        double ab = dx * (ay * bz - az * by) + dy * (az * bx - ax * bz) + dz * (ax * by - ay * bx);
+        double cx = data[at + 6] - ox, cy = data[at + 7] - oy, cz = data[at + 8] - oz;
+        double bc = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
+        double ca = dx * (cy * az - cz * ay) + dy * (cz * ax - cx * az) + dz * (cx * ay - cy * ax);
+        return ab >= 0 && bc >= 0 && ca >= 0 || ab <= 0 && bc <= 0 && ca <= 0;
+    }
+
+    @Override
+    boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
+        int at = STRIDE * k;
+        double x = data[at] - rays.ox[i], y = data[at + 1] - rays.oy[i], z = data[at + 2] - rays.oz[i];
+        double nx = data[at + 9], ny = data[at + 10], nz = data[at + 11];
+        double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
+        double offset = x * nx + y * ny + z * nz;
+        double cosine = dx * nx + dy * ny + dz * nz;
+        // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
+        return (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
+                && passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], dx, dy, dz)
+                && rays.hit[i] != slot(k)
+                && Math.abs(offset) > Rounding.planeOffset(
+                        rays.originError[i], Math.abs(x) + Math.abs(y) + Math.abs(z))
+                && isBeforeLamp(shadows.lamp, at, offset);
+    }
+
+    /** Whether the plane of a triangle has the lamp on the other side than the point with this offset. */
+    private boolean isBeforeLamp(Lamp lamp, int at, double offset) {
+        if (lamp.directional()) {
+            return true;
+        }
+        double x = data[at] - lamp.x(), y = data[at + 1] - lamp.y(), z = data[at + 2] - lamp.z();
+        double lampOffset = x * data[at + 9] + y * data[at + 10] + z * data[at + 11];
+        double bound = Rounding.planeOffset(0, Math.abs(x) + Math.abs(y) + Math.abs(z));
+        return offset > 0 ? lampOffset < -bound : lampOffset > bound;
+    }
+
+    @Override
+    public void arrive(Rays rays, int i) {
+        int at = STRIDE * number(rays.hit[i]);
+        double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
+                + Math.abs(data[at + 2] - rays.oz[i]);
+        rays.advance(i, reach);
+        rays.nx[i] = data[at + 9];
+        rays.ny[i] = data[at + 10];
+        rays.nz[i] = data[at + 11];
+    }
+}
