@@ -91,9 +91,6 @@ final class Planes implements Surfaces {
     public void arrive(Rays rays, int i) {
         int k = rays.hit[i] - firstSlot;
         double reach = Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
-        rays.advance(i, reach);
-        rays.nx[i] = nx[k];
-        rays.ny[i] = ny[k];
-        rays.nz[i] = nz[k];
+        rays.arriveOnPlane(i, reach, nx[k], ny[k], nz[k]);
     }
 }

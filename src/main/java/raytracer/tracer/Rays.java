@@ -86,13 +86,17 @@ final class Rays {
      *
      * @param reach |x| + |y| + |z| of the surface's point of reference, seen from the old origin
      */
-    void advance(int ray, double reach) {
+    void arriveOnPlane(int ray, double reach, double normalX, double normalY, double normalZ) {
         double t = distance[ray];
+        double cosine = dx[ray] * normalX + dy[ray] * normalY + dz[ray] * normalZ;
         ox[ray] += t * dx[ray];
         oy[ray] += t * dy[ray];
         oz[ray] += t * dz[ray];
-        originError[ray] = Rounding.planePosition(originError[ray], reach, t,
+        originError[ray] = Rounding.planePosition(reach, t, cosine,
                 Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]));
+        nx[ray] = normalX;
+        ny[ray] = normalY;
+        nz[ray] = normalZ;
     }
 
     /** Keeps a ray by moving it to a place at or before its own. */

@@ -45,13 +45,15 @@ final class Rounding {
     }
 
     /**
-     * Bounds how far a computed point of a plane or triangle, origin + distance * direction, is off the plane, in each
-     * coordinate: by the distance's error times the cosine, and by the rounding of the sum.
+     * Bounds the error in each coordinate of a computed point of a plane or triangle, origin + distance * direction, as
+     * against the point where the same ray meets it exactly: the distance's error, and 2u of the distance and u of the
+     * point from direction, product and sum. That the origin may be off too is left out: it moves the point along the
+     * plane, and counted in, errors would seem to multiply from mirror to mirror.
      *
      * @param position |x| + |y| + |z| of the computed point
      */
-    static double planePosition(double originError, double reach, double distance, double position) {
-        return planeOffset(originError, reach) + U * (4 * distance + 2 * position);
+    static double planePosition(double reach, double distance, double cosine, double position) {
+        return planeDistance(0, reach, distance, cosine) + U * (3 * distance + position);
     }
 
     /** Bounds the error of the power of an origin, |origin - centre|^2 - r^2, due to the origin's error. */
@@ -76,12 +78,13 @@ final class Rounding {
     }
 
     /**
-     * Bounds how far a computed point of a sphere, centre + radius * normal, is off the sphere in each coordinate:
-     * the normal rounds by 3u, the product and the sum by u each.
+     * Bounds the error in each coordinate of a computed point of a sphere, centre + radius * normal, as against the
+     * point where the same ray meets it exactly: the distance's error, 2u of the distance from the direction, and 6u of
+     * the radius and u of the centre from the normal and the sum.
      *
      * @param centre |x| + |y| + |z| of the centre
      */
-    static double spherePosition(double centre, double radius) {
-        return U * (centre + 6 * radius);
+    static double spherePosition(double centre, double reach, double radius, double half, double along) {
+        return sphereDistance(0, reach, radius, half, along) + U * (2 * (Math.abs(along) + half) + 6 * radius + centre);
     }
 }

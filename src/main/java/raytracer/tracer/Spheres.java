@@ -115,10 +115,13 @@ final class Spheres extends BoundedSurfaces {
     public void arrive(Rays rays, int i) {
         int k = STRIDE * number(rays.hit[i]);
         double cx = data[k], cy = data[k + 1], cz = data[k + 2], r = data[k + 3];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
         double t = rays.distance[i];
-        double x = rays.ox[i] - cx + t * rays.dx[i];
-        double y = rays.oy[i] - cy + t * rays.dy[i];
-        double z = rays.oz[i] - cz + t * rays.dz[i];
+        x += t * rays.dx[i];
+        y += t * rays.dy[i];
+        z += t * rays.dz[i];
         double length = Math.sqrt(x * x + y * y + z * z);
         rays.nx[i] = x / length;
         rays.ny[i] = y / length;
@@ -126,6 +129,7 @@ final class Spheres extends BoundedSurfaces {
         rays.ox[i] = cx + r * rays.nx[i];
         rays.oy[i] = cy + r * rays.ny[i];
         rays.oz[i] = cz + r * rays.nz[i];
-        rays.originError[i] = Rounding.spherePosition(Math.abs(cx) + Math.abs(cy) + Math.abs(cz), r);
+        rays.originError[i] = Rounding.spherePosition(
+                Math.abs(cx) + Math.abs(cy) + Math.abs(cz), reach, r, Math.abs(t + along), along);
     }
 }

@@ -117,9 +117,6 @@ final class Triangles extends BoundedSurfaces {
         int at = STRIDE * number(rays.hit[i]);
         double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
                 + Math.abs(data[at + 2] - rays.oz[i]);
-        rays.advance(i, reach);
-        rays.nx[i] = data[at + 9];
-        rays.ny[i] = data[at + 10];
-        rays.nz[i] = data[at + 11];
+        rays.arriveOnPlane(i, reach, data[at + 9], data[at + 10], data[at + 11]);
     }
 }
