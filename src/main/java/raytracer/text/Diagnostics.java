@@ -89,6 +89,9 @@ final class Diagnostics {
     }
 
     private static String excerpt(String line, int start, int length) {
+        if (line.isEmpty()) {
+            return "";
+        }
         int[] characters = line.codePoints().toArray();
         int cut = Math.max(0, Math.min(start - LONGEST_EXCERPT / 2, characters.length - LONGEST_EXCERPT));
         int end = Math.min(characters.length, cut + LONGEST_EXCERPT);

@@ -97,16 +97,31 @@ final class Operands {
     }
 
     double positive(int i) throws Rejected {
-        return values[i] > 0 ? values[i] : refuse(i, "to be more than 0");
+        if (!(values[i] > 0)) {
+            throw reject(i, "to be more than 0");
+        }
+        return values[i];
     }
 
     /** A whole number within these bounds. */
     int whole(int i, int least, int most) throws Rejected {
-        double value = values[i];
-        if (!(value >= least && value <= most && value == Math.rint(value))) {
-            refuse(i, "to be a whole number from " + least + " to " + most);
+        if (!isWhole(values[i], least, most)) {
+            throw reject(i, "to be a whole number from " + least + " to " + most);
         }
-        return (int) value;
+        return (int) values[i];
+    }
+
+    /** The number of a vertex. */
+    int vertex(int i, int declared) throws Rejected {
+        if (!isWhole(values[i], 0, declared - 1)) {
+            throw reject(i, "to be a vertex declared above, "
+                    + (declared == 0 ? "of which there are none" : "from 0 to " + (declared - 1)));
+        }
+        return (int) values[i];
+    }
+
+    private static boolean isWhole(double value, int least, int most) {
+        return value >= least && value <= most && value == Math.rint(value);
     }
 
     Vector vector(int i) {
@@ -127,11 +142,10 @@ final class Operands {
     }
 
     private double notNegative(int i) throws Rejected {
-        return values[i] >= 0 ? values[i] : refuse(i, "to be 0 or more");
-    }
-
-    private double refuse(int i, String expectation) throws Rejected {
-        throw reject(i, expectation);
+        if (!(values[i] >= 0)) {
+            throw reject(i, "to be 0 or more");
+        }
+        return values[i];
     }
 
     /** Reports that one operand is not what it should be. */

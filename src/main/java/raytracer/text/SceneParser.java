@@ -194,11 +194,7 @@ public final class SceneParser {
 
     private void triangle(Operands o) throws Operands.Rejected {
         int declared = shapes.vertices();
-        if (declared == 0) {
-            throw o.reject(0, "to be a vertex declared above (there is none yet)");
-        }
-        shapes.addTriangle(o.whole(0, 0, declared - 1), o.whole(1, 0, declared - 1), o.whole(2, 0, declared - 1),
-                material.current());
+        shapes.addTriangle(o.vertex(0, declared), o.vertex(1, declared), o.vertex(2, declared), material.current());
         if (shapes.lastTriangleIsEmpty() && emptyTriangles++ == 0) {
             firstEmptyTriangleLine = reader.number();
         }

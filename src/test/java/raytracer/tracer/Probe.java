@@ -1,0 +1,87 @@
+package raytracer.tracer;
+
+import java.util.List;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.Stream;
+import raytracer.scene.Scene;
+import raytracer.scene.Vector;
+import raytracer.text.Scenes;
+
+/** Shoots single rays at the shapes of a scene that a test writes down. */
+final class Probe {
+
+    private static final String HEAD = "size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n";
+
+    private final SlotTable slots;
+    private final List<Surfaces> surfaces;
+    private final Rays rays;
+    private final BvhWalk walk = new BvhWalk();
+
+    /** What a ray met: the shape's number in the order of declaration. */
+    record Meeting(int shape, double distance, Vector point, Vector normal) { }
+
+    Probe(String shapes) throws Exception {
+        Scene scene = Scenes.parse(HEAD + shapes).scene();
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+        slots = compiler.slots();
+        surfaces = Stream.of(compiler.planes(), compiler.spheres(), compiler.triangles())
+                .flatMap(java.util.Optional::stream).toList();
+        rays = new Rays(slots.declared());
+    }
+
+    /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
+    Meeting shoot(Vector origin, Vector direction) {
+        aim(origin, direction.unit());
+        rays.source[0] = Rays.NONE;
+        rays.originError[0] = 0;
+        return meet();
+    }
+
+    /** What a ray meets that leaves where the last one arrived; null if nothing. */
+    Meeting continueTowards(Vector direction) {
+        rays.source[0] = rays.hit[0];
+        aim(new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), direction.unit());
+        return meet();
+    }
+
+    /** Whether a light is seen from where the last ray arrived. */
+    boolean sees(Lamp lamp) {
+        ShadowRays shadows = new ShadowRays();
+        shadows.lamp = lamp;
+        Vector way = new Vector(lamp.x(), lamp.y(), lamp.z());
+        shadows.distance[0] = Double.POSITIVE_INFINITY;
+        if (!lamp.directional()) {
+            way = way.minus(new Vector(rays.ox[0], rays.oy[0], rays.oz[0]));
+            shadows.distance[0] = way.length();
+        }
+        Vector unit = way.unit();
+        shadows.dx[0] = unit.x();
+        shadows.dy[0] = unit.y();
+        shadows.dz[0] = unit.z();
+        shadows.open[0] = true;
+        surfaces.forEach(kind -> kind.block(rays, shadows, walk));
+        return shadows.open[0];
+    }
+
+    private void aim(Vector origin, Vector direction) {
+        rays.count = 1;
+        rays.ox[0] = origin.x();
+        rays.oy[0] = origin.y();
+        rays.oz[0] = origin.z();
+        rays.dx[0] = direction.x();
+        rays.dy[0] = direction.y();
+        rays.dz[0] = direction.z();
+    }
+
+    private Meeting meet() {
+        rays.clearHits();
+        surfaces.forEach(kind -> kind.findNearest(rays, walk));
+        int slot = rays.hit[0];
+        if (slot == Rays.NONE) {
+            return null;
+        }
+        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.arrive(rays, 0));
+        return new Meeting(slots.declared()[slot], rays.distance[0],
+                new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
+    }
+}
