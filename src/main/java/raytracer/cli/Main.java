@@ -27,7 +27,7 @@ public final class Main {
                   --repeat N     render N times in this process, write once
                   --stats FILE   write figures as JSON (one scene only)
                   --check        parse and validate only, write nothing
-                  --help         this text
+              -h, --help         this text
                   --version      the version
 
             exit status: 0 done, 2 bad usage or bad scene, 1 anything else

@@ -84,7 +84,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
                 case "--stats" -> stats = value(name, attached);
                 case "--quiet" -> quiet = flag(name, attached);
                 case "--check" -> check = flag(name, attached);
-                case "--help" -> help = flag(name, attached);
+                case "-h", "--help" -> help = flag(name, attached);
                 case "--version" -> version = flag(name, attached);
                 default -> throw new UsageException("unknown option '" + name + "'; see --help");
             }

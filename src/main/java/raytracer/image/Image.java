@@ -40,9 +40,10 @@ public final class Image {
         bytes = new byte[COMPONENTS * width * height];
     }
 
-    /** The memory that a picture takes. */
+    /** The memory that a picture takes; the greatest long if it is beyond that. */
     public static long bytes(int width, int height) {
-        return Math.multiplyExact(COMPONENTS * (long) width, (long) height);
+        long pixels = (long) width * height;
+        return pixels > Long.MAX_VALUE / COMPONENTS ? Long.MAX_VALUE : COMPONENTS * pixels;
     }
 
     public static long mostBytes() {

@@ -1,7 +1,7 @@
 package raytracer.image;
 
-import java.io.File;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,7 +9,9 @@ import java.nio.file.StandardCopyOption;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
+import javax.imageio.stream.FileImageOutputStream;
 import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Writes pictures as PNG, so that a file of that name is at all times either the old one or the whole new one. */
 public final class PngFile {
@@ -24,14 +26,19 @@ public final class PngFile {
     public static void write(Image image, Path file) throws IOException {
         Path place = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
         if (Files.exists(place) && !Files.isRegularFile(place)) {
-            // A device such as /dev/null: it cannot be replaced, and holds nothing to be kept.
-            encode(image, place.toFile());
+            // A device or pipe such as /dev/null: it cannot be replaced or rewound, and holds nothing to be kept.
+            try (OutputStream device = Files.newOutputStream(place);
+                    ImageOutputStream out = new MemoryCacheImageOutputStream(device)) {
+                encode(image, out);
+            }
             return;
         }
         Path temporary = place.resolveSibling("." + place.getFileName() + "." + ProcessHandle.current().pid() + ".tmp");
         try {
             Files.createFile(temporary);
-            encode(image, temporary.toFile());
+            try (ImageOutputStream out = new FileImageOutputStream(temporary.toFile())) {
+                encode(image, out);
+            }
             move(temporary, place);
         } finally {
             Files.deleteIfExists(temporary);
@@ -46,12 +53,9 @@ public final class PngFile {
         }
     }
 
-    private static void encode(Image image, File file) throws IOException {
+    private static void encode(Image image, ImageOutputStream out) throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
-        try (ImageOutputStream out = ImageIO.createImageOutputStream(file)) {
-            if (out == null) {
-                throw new IOException("it cannot be opened for writing");
-            }
+        try {
             writer.setOutput(out);
             writer.write(new IIOImage(image.toBufferedImage(), null, null));
         } finally {

@@ -177,7 +177,7 @@ class SceneParserTest {
     void linesMayEndAnywhereInTheReadersBuffer() throws Exception {
         String filler = "#" + "x".repeat(1000) + "\n";
         for (int extra = 0; extra < 60; extra++) {
-            String text = HEAD + filler.repeat(261) + "#" + "y".repeat(200 + extra) + "\nsphere 1 2 3 4\nsphere 5 6 7 8\n";
+            String text = HEAD + filler.repeat(65) + "#" + "y".repeat(300 + extra) + "\nsphere 1 2 3 4\nsphere 5 6 7 8\n";
             assertEquals(2, parse(text).shapes().size(), "extra " + extra);
         }
     }
