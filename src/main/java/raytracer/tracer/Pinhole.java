@@ -24,7 +24,7 @@ final class Pinhole {
         right = camera.right();
         up = backward.cross(right);
         // StrictMath, so that every Java version and machine aims alike.
-        halfHeight = StrictMath.tan(Math.toRadians(camera.fov() / 2));
+        halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
     }
 
     /** Makes the rays of a rectangle of pixels, row by row: ray and pixel numbers agree. */
@@ -48,6 +48,7 @@ final class Pinhole {
         rays.dx[i] = x / length;
         rays.dy[i] = y / length;
         rays.dz[i] = z / length;
+        rays.directionError[i] = Rounding.EYE_DIRECTION;
         rays.ox[i] = eye.x();
         rays.oy[i] = eye.y();
         rays.oz[i] = eye.z();

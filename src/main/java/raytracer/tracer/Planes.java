@@ -45,13 +45,14 @@ final class Planes implements Surfaces {
                 double offset = x * nx[k] + y * ny[k] + z * nz[k];
                 double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
                 double t = offset / cosine;
-                // A parallel ray gives an infinity or NaN, and neither passes.
-                if (!(t > 0 && t <= rays.reach(i)) || rays.source[i] == firstSlot + k) {
+                if (!(t > 0 && t <= rays.reach(i)) || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])
+                        || rays.source[i] == firstSlot + k) {
                     continue;
                 }
                 double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
                 if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
-                    rays.offer(i, firstSlot + k, t, Rounding.planeDistance(rays.originError[i], reach, t, cosine));
+                    rays.offer(i, firstSlot + k, t, Rounding.planeDistance(
+                            rays.originError[i], rays.directionError[i], reach, t, cosine));
                 }
             }
         }
@@ -73,7 +74,8 @@ final class Planes implements Surfaces {
                 boolean between;
                 if (lamp.directional()) {
                     double cosine = shadows.dx[i] * nx[k] + shadows.dy[i] * ny[k] + shadows.dz[i] * nz[k];
-                    between = offset > 0 && cosine > 0 || offset < 0 && cosine < 0;
+                    between = Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
+                            && (offset > 0 && cosine > 0 || offset < 0 && cosine < 0);
                 } else {
                     // The light and the point are on different sides, and the light is not on the plane.
                     between = Math.abs(lampOffset) > lampBound

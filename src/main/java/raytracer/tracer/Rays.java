@@ -25,20 +25,22 @@ final class Rays {
     final double[] originError = new double[CAPACITY];
     final int[] source = new int[CAPACITY];
 
-    // Where it goes: a unit vector.
+    // Where it goes: a unit vector, and a bound on the error of each coordinate.
     final double[] dx = new double[CAPACITY];
     final double[] dy = new double[CAPACITY];
     final double[] dz = new double[CAPACITY];
+    final double[] directionError = new double[CAPACITY];
 
     // The nearest surface so far, its distance, and a bound on the distance's error.
     final int[] hit = new int[CAPACITY];
     final double[] distance = new double[CAPACITY];
     final double[] distanceError = new double[CAPACITY];
 
-    // The unit normal where the ray has arrived.
+    // The unit normal where the ray has arrived, and a bound on the error of each coordinate.
     final double[] nx = new double[CAPACITY];
     final double[] ny = new double[CAPACITY];
     final double[] nz = new double[CAPACITY];
+    final double[] normalError = new double[CAPACITY];
 
     // How much of the light that comes along the ray reaches the pixel.
     final double[] red = new double[CAPACITY];
@@ -97,6 +99,7 @@ final class Rays {
         nx[ray] = normalX;
         ny[ray] = normalY;
         nz[ray] = normalZ;
+        normalError[ray] = 2 * Rounding.U;
     }
 
     /** Keeps a ray by moving it to a place at or before its own. */
@@ -113,12 +116,14 @@ final class Rays {
         dx[to] = dx[from];
         dy[to] = dy[from];
         dz[to] = dz[from];
+        directionError[to] = directionError[from];
         hit[to] = hit[from];
         distance[to] = distance[from];
         distanceError[to] = distanceError[from];
         nx[to] = nx[from];
         ny[to] = ny[from];
         nz[to] = nz[from];
+        normalError[to] = normalError[from];
         red[to] = red[from];
         green[to] = green[from];
         blue[to] = blue[from];

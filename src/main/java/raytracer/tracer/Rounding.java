@@ -21,6 +21,9 @@ final class Rounding {
      */
     static final double TIE_SIEVE = 0x1p-20;
 
+    /** Bounds the error of each coordinate of a ray from the eye: pixel, basis, sum and normalising. */
+    static final double EYE_DIRECTION = 4 * U;
+
     private Rounding() { }
 
     /**
@@ -37,23 +40,46 @@ final class Rounding {
     }
 
     /**
-     * Bounds the error of the distance at which a ray meets a plane: that of the offset and that of direction . normal
-     * (3u), both divided by |direction . normal|.
+     * Bounds the error of direction . normal, of unit vectors: 4u from the normal, products and sums, and the
+     * direction's own. A ray whose cosine is not above it counts as parallel to the plane, as not even the sign is known.
+     *
+     * @param directionError of each coordinate of the direction
      */
-    static double planeDistance(double originError, double reach, double distance, double cosine) {
-        return (planeOffset(originError, reach) + 4 * U * distance) / Math.abs(cosine);
+    static double cosine(double directionError) {
+        return DIAGONAL * directionError + 4 * U;
+    }
+
+    /**
+     * Bounds the error of the distance at which a ray meets a plane: that of the offset, and the distance times that of
+     * the cosine, both divided by the cosine.
+     */
+    static double planeDistance(
+            double originError, double directionError, double reach, double distance, double cosine) {
+        return (planeOffset(originError, reach) + distance * cosine(directionError)) / Math.abs(cosine);
     }
 
     /**
      * Bounds the error in each coordinate of a computed point of a plane or triangle, origin + distance * direction, as
      * against the point where the same ray meets it exactly: the distance's error, and 2u of the distance and u of the
-     * point from direction, product and sum. That the origin may be off too is left out: it moves the point along the
+     * point from direction, product and sum. That the ray itself may be off is left out: that moves the point along the
      * plane, and counted in, errors would seem to multiply from mirror to mirror.
      *
      * @param position |x| + |y| + |z| of the computed point
      */
     static double planePosition(double reach, double distance, double cosine, double position) {
-        return planeDistance(0, reach, distance, cosine) + U * (3 * distance + position);
+        return planeDistance(0, EYE_DIRECTION, reach, distance, cosine) + U * (3 * distance + position);
+    }
+
+    /**
+     * Bounds the error of direction . (a x b), a and b being an edge's ends seen from the origin. The differences, the
+     * products and the sums round by 8u of the product of the ends' sizes; where the ray is off by some length, the
+     * volume is by that times the edge.
+     *
+     * @param reach |x| + |y| + |z| of the farther end
+     * @param edge  |x| + |y| + |z| of the edge, or more
+     */
+    static double edge(double originError, double directionError, double reach, double edge) {
+        return 8 * U * reach * reach + DIAGONAL * (originError + directionError * reach) * edge;
     }
 
     /** Bounds the error of the power of an origin, |origin - centre|^2 - r^2, due to the origin's error. */
@@ -62,19 +88,44 @@ final class Rounding {
     }
 
     /**
-     * Bounds the error of the distance at which a ray meets a sphere, from that of the perpendicular p from the centre
-     * to the ray: each of its coordinates rounds by 3u of the offset, so r^2 - p^2 is off by 2r times that and 2u r^2,
-     * and its root by the same over twice the root. The sums that follow round by 3u of their terms.
+     * Bounds the error of direction . (origin - centre): 3u of the offset, and the errors of both.
      *
      * @param reach |x| + |y| + |z| of origin - centre
+     */
+    static double along(double originError, double directionError, double reach) {
+        return (3 * U + directionError) * reach + DIAGONAL * originError;
+    }
+
+    /**
+     * Bounds the error of r^2 - p^2, p being the perpendicular from the centre to the ray: each of its coordinates rounds
+     * by 3u of the offset and is off as the ray is at its foot, so the difference is off by 2r times that and 2u r^2. (As
+     * far as r and p are alike: where they are not, the sign is beyond doubt.)
+     */
+    static double sphereSquare(double originError, double directionError, double reach, double radius, double along) {
+        double foot = DIAGONAL * (originError + directionError * Math.abs(along));
+        return 2 * radius * (foot + U * (3 * reach + radius));
+    }
+
+    /**
+     * Bounds the error of the distance at which a ray meets a sphere. Half the chord and the distance to its middle round
+     * by what their terms do; a distance that is the power over their sum only in proportion. Where the ray is off by
+     * some length, it meets the sphere off by that over the cosine, which is half the chord over the radius.
+     *
      * @param half  half the chord, the root of r^2 - p^2
      * @param along direction . (origin - centre)
      */
-    static double sphereDistance(double originError, double reach, double radius, double half, double along) {
-        double perpendicular = 3 * U * reach + DIAGONAL * originError;
-        double square = 2 * radius * (perpendicular + U * radius);
-        double root = half * half > square ? square / (2 * half) : Math.sqrt(square);
-        return root + DIAGONAL * originError + 3 * U * (Math.abs(along) + half);
+    static double sphereDistance(double originError, double directionError, double reach, double radius, double half,
+            double along, double distance) {
+        double sum = half + Math.abs(along);
+        double rounding = (root(sphereSquare(0, 0, reach, radius, along), half) + 3 * U * (reach + sum))
+                * Math.min(1, distance / sum);
+        double ray = DIAGONAL * (originError + directionError * distance);
+        return rounding + root(2 * radius * ray, half) + U * distance;
+    }
+
+    /** Bounds the error of a root of a square that is off by so much. */
+    private static double root(double square, double root) {
+        return root * root > square ? square / (2 * root) : Math.sqrt(square);
     }
 
     /**
@@ -84,7 +135,9 @@ final class Rounding {
      *
      * @param centre |x| + |y| + |z| of the centre
      */
-    static double spherePosition(double centre, double reach, double radius, double half, double along) {
-        return sphereDistance(0, reach, radius, half, along) + U * (2 * (Math.abs(along) + half) + 6 * radius + centre);
+    static double spherePosition(
+            double centre, double reach, double radius, double half, double along, double distance) {
+        return sphereDistance(0, EYE_DIRECTION, reach, radius, half, along, distance)
+                + U * (2 * distance + 6 * radius + centre);
     }
 }

@@ -51,30 +51,33 @@ final class Spheres extends BoundedSurfaces {
         double along = x * dx + y * dy + z * dz;
         double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
         double square = r * r - (ex * ex + ey * ey + ez * ez);
-        if (!(square >= 0)) {
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double originError = rays.originError[i], directionError = rays.directionError[i];
+        if (square < 0 && square < -Rounding.sphereSquare(originError, directionError, reach, r, along)) {
             return;
         }
+        double half = Math.sqrt(Math.max(0, square));
         double power = rays.source[i] == slot(k)
                 ? 0
                 : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
-        double half = Math.sqrt(square);
-        double t = distance(power, Rounding.power(rays.originError[i], r), along, half);
+        double t;
+        if (Math.abs(power) <= Rounding.power(originError, r)) {
+            // The ray starts on the sphere: only the other meeting counts, if it goes inwards.
+            t = along < -Rounding.along(originError, directionError, reach) ? -2 * along : -1;
+        } else {
+            t = distance(power, along, half);
+        }
         if (t > 0 && t <= rays.reach(i)) {
-            double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
-            rays.offer(i, slot(k), t, Rounding.sphereDistance(rays.originError[i], reach, r, half, along));
+            rays.offer(i, slot(k), t,
+                    Rounding.sphereDistance(originError, directionError, reach, r, half, along, t));
         }
     }
 
     /**
      * The distance to the first meeting, not positive if there is none. The two distances multiply to the power and add
      * up to -2 along; each is computed in the way that subtracts nothing alike.
-     *
-     * @param bound how small a power means that the ray starts on the sphere; from there only the other meeting counts
      */
-    private static double distance(double power, double bound, double along, double half) {
-        if (Math.abs(power) <= bound) {
-            return -2 * along;
-        }
+    private static double distance(double power, double along, double half) {
         if (power > 0) {
             return along < 0 ? power / (half - along) : -1;
         }
@@ -92,19 +95,24 @@ final class Spheres extends BoundedSurfaces {
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double along = x * dx + y * dy + z * dz;
         double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
-        if (!(r * r - (ex * ex + ey * ey + ez * ez) >= 0)) {
+        double square = r * r - (ex * ex + ey * ey + ez * ez);
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double originError = rays.originError[i];
+        if (square < 0 && square < -Rounding.sphereSquare(originError, 2 * Rounding.U, reach, r, along)) {
             return false;
         }
         double power = rays.hit[i] == slot(k)
                 ? 0
                 : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
-        int side = Math.abs(power) <= Rounding.power(rays.originError[i], r) ? 0 : power > 0 ? 1 : -1;
+        int side = Math.abs(power) <= Rounding.power(originError, r) ? 0 : power > 0 ? 1 : -1;
         int lampSide = sideOfLamp(shadows.lamp, cx, cy, cz, r);
         if (side < 0 || lampSide < 0) {
             return side * lampSide < 0;
         }
         // Neither is inside: the ray must enter, and if it starts outside do so before the light.
-        return side == 0 ? along < 0 && lampSide > 0 : along < 0 && -along < shadows.distance[i];
+        return side == 0
+                ? lampSide > 0 && along < -Rounding.along(originError, 2 * Rounding.U, reach)
+                : along < 0 && -along < shadows.distance[i];
     }
 
     private static int sideOfLamp(Lamp lamp, double cx, double cy, double cz, double r) {
@@ -130,6 +138,7 @@ final class Spheres extends BoundedSurfaces {
         rays.oy[i] = cy + r * rays.ny[i];
         rays.oz[i] = cz + r * rays.nz[i];
         rays.originError[i] = Rounding.spherePosition(
-                Math.abs(cx) + Math.abs(cy) + Math.abs(cz), reach, r, Math.abs(t + along), along);
+                Math.abs(cx) + Math.abs(cy) + Math.abs(cz), reach, r, Math.abs(t + along), along, t);
+        rays.normalError[i] = rays.originError[i] / r;
     }
 }

@@ -200,6 +200,7 @@ public final class TileTracer {
         rays.dx[i] = x / length;
         rays.dy[i] = y / length;
         rays.dz[i] = z / length;
+        rays.directionError[i] += 4 * rays.normalError[i] + 4 * Rounding.U;
         rays.source[i] = rays.hit[i];
     }
 

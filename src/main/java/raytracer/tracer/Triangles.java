@@ -63,25 +63,39 @@ final class Triangles extends BoundedSurfaces {
         double cosine = dx * nx + dy * ny + dz * nz;
         double t = offset / cosine;
         if (!(t > 0 && t <= rays.reach(i))
-                || !passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], dx, dy, dz)
+                || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])
+                || !passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
+                        dx, dy, dz, rays.directionError[i])
                 || rays.source[i] == slot(k)) {
             return;
         }
         double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
         if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
-            rays.offer(i, slot(k), t, Rounding.planeDistance(rays.originError[i], reach, t, cosine));
+            rays.offer(i, slot(k), t, Rounding.planeDistance(
+                    rays.originError[i], rays.directionError[i], reach, t, cosine));
         }
     }
 
-    /** Whether the line of a ray passes a triangle's three edges on the same side, or on them. */
-    private boolean passesWithin(int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+    /** Whether the line of a ray passes a triangle's three edges on the same side, or on them as far as one can tell. */
+    private boolean passesWithin(int at, double ox, double oy, double oz, double originError,
+            double dx, double dy, double dz, double directionError) {
         double ax = data[at] - ox, ay = data[at + 1] - oy, az = data[at + 2] - oz;
         double bx = data[at + 3] - ox, by = data[at + 4] - oy, bz = data[at + 5] - oz;
-        double ab = dx * (ay * bz - az * by) + dy * (az * bx - ax * bz) + dz * (ax * by - ay * bx);
         double cx = data[at + 6] - ox, cy = data[at + 7] - oy, cz = data[at + 8] - oz;
+        double ab = dx * (ay * bz - az * by) + dy * (az * bx - ax * bz) + dz * (ax * by - ay * bx);
         double bc = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
         double ca = dx * (cy * az - cz * ay) + dy * (cz * ax - cx * az) + dz * (cx * ay - cy * ax);
-        return ab >= 0 && bc >= 0 && ca >= 0 || ab <= 0 && bc <= 0 && ca <= 0;
+        double least = Math.min(ab, Math.min(bc, ca)), most = Math.max(ab, Math.max(bc, ca));
+        if (least >= 0 || most <= 0) {
+            return true;
+        }
+        double a = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
+        double b = Math.abs(bx) + Math.abs(by) + Math.abs(bz);
+        double c = Math.abs(cx) + Math.abs(cy) + Math.abs(cz);
+        double edge = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
+                + Math.abs(cx - ax) + Math.abs(cy - ay) + Math.abs(cz - az);
+        double bound = Rounding.edge(originError, directionError, Math.max(a, Math.max(b, c)), edge);
+        return least >= -bound || most <= bound;
     }
 
     @Override
@@ -94,7 +108,9 @@ final class Triangles extends BoundedSurfaces {
         double cosine = dx * nx + dy * ny + dz * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
         return (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
-                && passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], dx, dy, dz)
+                && Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
+                && passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
+                        dx, dy, dz, 2 * Rounding.U)
                 && rays.hit[i] != slot(k)
                 && Math.abs(offset) > Rounding.planeOffset(
                         rays.originError[i], Math.abs(x) + Math.abs(y) + Math.abs(z))

@@ -79,7 +79,8 @@ public final class ExactRenderer {
         if (c.high() >= 1) {
             return 255;
         }
-        Exact steps = c.times(255).plus(Exact.of(.5));
+        // What rounding here leaves just below a step is on it.
+        Exact steps = c.times(255).plus(Exact.of(.5)).plus(Exact.of(256 * EQUAL));
         int floor = (int) Math.floor(steps.high());
         return Exact.of(floor).isMore(steps) ? floor - 1 : floor;
     }

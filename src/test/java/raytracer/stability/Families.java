@@ -1,6 +1,5 @@
 package raytracer.stability;
 
-import java.util.Locale;
 import java.util.Random;
 
 /** Random small scenes, each family made of what some method fails at. The same seed gives the same scene. */
@@ -100,9 +99,11 @@ enum Families {
     NEEDLES {
         @Override
         void shapes(Writer w) {
+            // Turned, so that no edge is parallel to a light: decimals would leave that open.
+            double turn = w.unit();
             double[] hub = w.point(.5);
             for (int i = 0; i < 12; i++) {
-                double a = Math.PI * i / 6, b = Math.PI * (i + 1) / 6;
+                double a = turn + Math.PI * i / 6, b = turn + Math.PI * (i + 1) / 6;
                 w.material();
                 w.triangle(hub, new double[] {2 * Math.cos(a), 2 * Math.sin(a), .3},
                         new double[] {2 * Math.cos(b), 2 * Math.sin(b), .3});
@@ -146,8 +147,8 @@ enum Families {
         w.text("size " + width + " " + height);
         w.text("maxdepth " + depth(w.random));
         w.text("maxverts 1000");
-        w.move("camera", axis ? new double[] {0, 0, 6} : new double[] {w.within(1), w.within(1), 6});
-        w.add(axis ? new double[] {0, 0, 0} : w.point(.5)).end(" 0 1 0 " + (axis ? 53.13010235415598 : 30 + 40 * w.unit()));
+        w.move("camera", axis ? new double[] {0, 0, 4} : new double[] {w.within(1), w.within(1), 6});
+        w.add(axis ? new double[] {0, 0, 0} : w.point(.5)).end(" 0 1 0 " + (axis ? 90 : 30 + 40 * w.unit()));
         int lights = 1 + w.random.nextInt(3);
         for (int i = 0; i < lights; i++) {
             if (w.random.nextInt(3) == 0) {
@@ -201,9 +202,9 @@ enum Families {
         }
 
         void material() {
-            text(String.format(Locale.ROOT, "ambient .02 .0%d .03", random.nextInt(10)));
-            text(String.format(Locale.ROOT, "diffuse .%d .%d .%d", random.nextInt(10), random.nextInt(10),
-                    random.nextInt(10)));
+            // Random digits: colours that are sums of short decimals come to lie on the limit between two bytes.
+            text("ambient " + .1 * unit() + " " + .1 * unit() + " " + .1 * unit());
+            text("diffuse " + unit() + " " + unit() + " " + unit());
             int mirror = random.nextInt(3);
             text(mirror == 0 ? "specular 0 0 0" : "specular .2 .25 .3");
             text("shininess " + (1 << random.nextInt(8)));

@@ -28,7 +28,8 @@ class RandomSceneTest {
     private static final int WIDTH = 25;
     private static final int HEIGHT = 19;
 
-    private static final double[] SCALES = {1, 1e-6, 1e7, 1, 1};
+    // Small, large and far away. Powers of two leave whole numbers whole, and so exact ties exact.
+    private static final double[] SCALES = {1, 0x1p-20, 0x1p23, 1, 1};
     private static final double[] OFFSETS = {0, 0, 0, 1e3, 1e6};
 
     @ParameterizedTest
