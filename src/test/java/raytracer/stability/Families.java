@@ -160,7 +160,7 @@ enum Families {
         }
         w.material();
         shapes(w);
-        return w.text.toString();
+        return w.toString();
     }
 
     /** Writes commands, with every point scaled and moved. */
@@ -175,6 +175,11 @@ enum Families {
             this.random = random;
             this.scale = scale;
             this.offset = offset;
+        }
+
+        @Override
+        public String toString() {
+            return text.toString();
         }
 
         double unit() {

@@ -4,12 +4,12 @@ import raytracer.scene.Scene;
 import raytracer.text.Scenes;
 
 /** Traces scenes that tests write down, to colours before they are cut and rounded. */
-final class Pictures {
+public final class Pictures {
 
     private Pictures() { }
 
     /** The colours, three doubles a pixel, row by row from the top. */
-    static double[] trace(Scene scene) {
+    public static double[] trace(Scene scene) {
         double[] colours = new double[3 * scene.width() * scene.height()];
         TileTracer tracer = Tracer.compile(scene, 2).newTileTracer();
         for (int top = 0; top < scene.height(); top += Tracer.TILE_SIDE) {
@@ -26,12 +26,12 @@ final class Pictures {
         return colours;
     }
 
-    static double[] trace(String text) throws Exception {
+    public static double[] trace(String text) throws Exception {
         return trace(Scenes.parse(text).scene());
     }
 
     /** The colour of the single pixel of a camera at (0, 0, 5) that looks at the origin. */
-    static double[] middle(String text) throws Exception {
+    public static double[] middle(String text) throws Exception {
         return trace("size 1 1\ncamera 0 0 5 0 0 0 0 1 0 45\n" + text);
     }
 }

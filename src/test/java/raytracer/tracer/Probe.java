@@ -3,12 +3,13 @@ package raytracer.tracer;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import java.util.stream.Stream;
+import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.text.Scenes;
 
 /** Shoots single rays at the shapes of a scene that a test writes down. */
-final class Probe {
+public final class Probe {
 
     private static final String HEAD = "size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n";
 
@@ -18,9 +19,9 @@ final class Probe {
     private final BvhWalk walk = new BvhWalk();
 
     /** What a ray met: the shape's number in the order of declaration. */
-    record Meeting(int shape, double distance, Vector point, Vector normal) { }
+    public record Meeting(int shape, double distance, Vector point, Vector normal) { }
 
-    Probe(String shapes) throws Exception {
+    public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
         slots = compiler.slots();
@@ -30,15 +31,16 @@ final class Probe {
     }
 
     /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
-    Meeting shoot(Vector origin, Vector direction) {
+    public Meeting shoot(Vector origin, Vector direction) {
         aim(origin, direction.unit());
         rays.source[0] = Rays.NONE;
         rays.originError[0] = 0;
+        rays.directionError[0] = Rounding.EYE_DIRECTION;
         return meet();
     }
 
     /** What a ray meets that leaves where the last one arrived; null if nothing. */
-    Meeting continueTowards(Vector direction) {
+    public Meeting continueTowards(Vector direction) {
         rays.source[0] = rays.hit[0];
         aim(new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), direction.unit());
         return meet();
@@ -61,6 +63,17 @@ final class Probe {
         shadows.open[0] = true;
         surfaces.forEach(kind -> kind.block(rays, shadows, walk));
         return shadows.open[0];
+    }
+
+    /** Whether a light at a point is seen from where the last ray arrived. */
+    public boolean seesPoint(Vector p) {
+        return sees(new Lamp(false, p.x(), p.y(), p.z(), Colour.BLACK));
+    }
+
+    /** Whether a light at infinity is seen from where the last ray arrived. */
+    public boolean seesAlong(Vector towards) {
+        Vector unit = towards.unit();
+        return sees(new Lamp(true, unit.x(), unit.y(), unit.z(), Colour.BLACK));
     }
 
     private void aim(Vector origin, Vector direction) {

@@ -1,0 +1,122 @@
+package raytracer.stability;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.scene.Vector;
+import raytracer.tracer.Probe;
+
+@DisplayName("Where surfaces touch,")
+class ContactStabilityTest {
+
+    private static final int POINTS = 5_000;
+
+    @ParameterizedTest(name = "scale {0}, offset {1}: no light leaks under a ball on a floor and no acne grows around it")
+    @CsvSource({"1, 0", "1e-6, 0", "1e7, 0", "1, 1e3", "1, 1e6", "1e-3, 1e3", "1e7, 1e6"})
+    void ballOnFloor(double scale, double offset) throws Exception {
+        Random random = new Random(1);
+        Vector centre = new Vector(offset, offset + scale, offset);
+        Probe probe = new Probe("plane " + offset + " " + offset + " " + offset + " 0 1 0\nsphere " + centre.x() + " "
+                + centre.y() + " " + centre.z() + " " + scale);
+        int leaks = 0, acne = 0;
+        // At a distance x from the contact the gap is x^2 / 2; what the coordinates cannot hold is left out.
+        double least = Math.max(1e-6, 4 * Math.sqrt(Math.ulp(offset) / scale));
+        for (int i = 0; i < POINTS; i++) {
+            double x = least * Math.pow(.5 / least, random.nextDouble()), angle = 2 * Math.PI * random.nextDouble();
+            Vector target = new Vector(offset + scale * x * Math.cos(angle), offset, offset + scale * x * Math.sin(angle));
+            Vector eye = new Vector(target.x() + 3 * (target.x() - offset) + scale * Math.cos(angle),
+                    offset + .2 * x * scale, target.z() + 3 * (target.z() - offset) + scale * Math.sin(angle));
+            Probe.Meeting m = probe.shoot(eye, target.minus(eye));
+            assertNotNull(m);
+            if (m.shape() == 0) {
+                leaks += probe.seesAlong(new Vector(0, 1, 0)) ? 1 : 0;
+                acne += probe.seesAlong(new Vector(Math.cos(angle), .1 * x, Math.sin(angle))) ? 0 : 1;
+            }
+        }
+        assertEquals(0, leaks, "points under the ball that see the light above it");
+        assertEquals(0, acne, "points that do not see a light on their own side");
+    }
+
+    @Test
+    @DisplayName("any fixed epsilon either leaks or makes acne")
+    void epsilons() {
+        for (double epsilon : new double[] {1e-12, 1e-9, 1e-6, 1e-3}) {
+            Random random = new Random(2);
+            int leaks = 0, acne = 0;
+            for (int i = 0; i < POINTS; i++) {
+                // Leak: the floor near the contact of a small ball. Acne: a ball far from the origin, from outside.
+                double r = 1e-4, x = r * Math.pow(10, -5 * random.nextDouble());
+                Vector below = new Vector(x, 0, 0);
+                leaks += Double.isNaN(Naive.sphere(below, new Vector(0, 1, 0), new Vector(0, r, 0), r, epsilon))
+                        || Naive.sphere(below, new Vector(0, 1, 0), new Vector(0, r, 0), r, epsilon) > r ? 1 : 0;
+                Vector centre = new Vector(1e7, 1e7, 1e7);
+                Vector n = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+                acne += Double.isNaN(Naive.sphere(Naive.point(centre, n, 1), n, centre, 1, epsilon)) ? 0 : 1;
+            }
+            assertTrue(leaks + acne > POINTS / 100, epsilon + ": " + leaks + " leaks, " + acne + " acne");
+        }
+    }
+
+    @ParameterizedTest(name = "a box on a box, offset {0}: the faces that touch let no light in, the others get it all")
+    @ValueSource(doubles = {0, 1e3, 1e6})
+    void boxOnBox(double offset) throws Exception {
+        Random random = new Random(3);
+        Families.Writer w = new Families.Writer(random, 1, offset);
+        w.text("maxverts 100");
+        w.box(0, -1, 0, 1, 1);
+        w.box(.25, 0, .125, .5, .5);
+        Probe probe = new Probe(w.toString());
+        for (int i = 0; i < POINTS; i++) {
+            // On the upper box's side x = .75, next to the seam; light from the same side, above and level.
+            double y = Math.pow(10, -9 * random.nextDouble()) / 4, z = random.nextDouble() / 2;
+            Vector eye = new Vector(offset + 4, offset + 1, offset);
+            Vector target = new Vector(offset + .75, offset + y, offset + z);
+            Probe.Meeting m = probe.shoot(eye, target.minus(eye));
+            assertTrue(m.shape() >= 12 || y < 1e-8, "the upper box is seen");
+            if (m.shape() >= 12 && Math.abs(m.normal().x()) == 1) {
+                assertTrue(probe.seesAlong(new Vector(1, .1, 0)), "light from the side");
+                assertFalse(probe.seesAlong(new Vector(-1, .1, 0)), "light through the box");
+            }
+            // On the lower box's top beside the seam.
+            target = new Vector(offset + .75 + y, offset, offset + z);
+            m = probe.shoot(eye, target.minus(eye));
+            if (m.shape() < 12 && m.normal().y() == 1) {
+                assertTrue(probe.seesAlong(new Vector(1, .1, 0)), "light from outside");
+                if (m.point().x() - offset < .9) {
+                    assertFalse(probe.seesAlong(new Vector(-1, .1, 0)), "light from behind the upper box");
+                }
+            }
+        }
+    }
+
+    @Test
+    @DisplayName("a light on a surface shines on it and off it, without speckles; a fixed interval's end speckles")
+    void lightOnSurface() throws Exception {
+        Random random = new Random(4);
+        Vector lamp = new Vector(0, 2, -1);
+        Vector normal = new Vector(1, 2, 3).unit();
+        Probe probe = new Probe("plane -3 2 0 1 2 3\nsphere 0 -9 0 1");
+        int naive = 0, dark = 0;
+        for (int i = 0; i < POINTS; i++) {
+            // From points of the sphere that face the plane: the plane itself is all that could be in the way.
+            Vector eye = new Vector(random.nextGaussian(), -5, random.nextGaussian());
+            Probe.Meeting m = probe.shoot(eye, new Vector(.2 * random.nextGaussian(), -9, .2 * random.nextGaussian()).minus(eye));
+            if (m != null && m.shape() == 1) {
+                dark += probe.seesPoint(lamp) ? 0 : 1;
+                Vector way = lamp.minus(m.point());
+                double t = Naive.plane(m.point(), way.unit(), new Vector(-3, 2, 0), normal, 1e-9);
+                naive += t < way.length() ? 1 : 0;
+            }
+        }
+        assertEquals(0, dark, "points that the light's own surface hides");
+        assertTrue(naive > POINTS / 20, naive + " with a plain comparison");
+    }
+}
