@@ -64,7 +64,8 @@ final class Planes implements Surfaces {
         for (int k = 0; k < count; k++) {
             double lampX = px[k] - lamp.x(), lampY = py[k] - lamp.y(), lampZ = pz[k] - lamp.z();
             double lampOffset = lampX * nx[k] + lampY * ny[k] + lampZ * nz[k];
-            double lampBound = Rounding.planeOffset(0, Math.abs(lampX) + Math.abs(lampY) + Math.abs(lampZ));
+            double lampBound = Rounding.planeOffset(
+                    lamp.positionError(), Math.abs(lampX) + Math.abs(lampY) + Math.abs(lampZ));
             for (int i = 0; i < rays.count; i++) {
                 if (!shadows.open[i] || rays.hit[i] == firstSlot + k) {
                     continue;

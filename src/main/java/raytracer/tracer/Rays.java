@@ -102,6 +102,19 @@ final class Rays {
         normalError[ray] = 2 * Rounding.U;
     }
 
+    /** Turns a ray that has arrived into its mirror image: d - 2 (n . d) n. */
+    void mirror(int ray) {
+        double twice = 2 * (dx[ray] * nx[ray] + dy[ray] * ny[ray] + dz[ray] * nz[ray]);
+        double x = dx[ray] - twice * nx[ray], y = dy[ray] - twice * ny[ray], z = dz[ray] - twice * nz[ray];
+        // Its length is 1 but for rounding, which would add up from mirror to mirror.
+        double length = Math.sqrt(x * x + y * y + z * z);
+        dx[ray] = x / length;
+        dy[ray] = y / length;
+        dz[ray] = z / length;
+        directionError[ray] += 4 * normalError[ray] + 4 * Rounding.U;
+        source[ray] = hit[ray];
+    }
+
     /** Keeps a ray by moving it to a place at or before its own. */
     void move(int from, int to) {
         if (from == to) {

@@ -115,8 +115,13 @@ final class Spheres extends BoundedSurfaces {
                 : along < 0 && -along < shadows.distance[i];
     }
 
+    /** 1 if a light is outside a sphere, -1 inside, 0 on it. */
     private static int sideOfLamp(Lamp lamp, double cx, double cy, double cz, double r) {
-        return lamp.directional() ? 1 : (int) Math.signum(PowerOfPoint.of(lamp.x(), lamp.y(), lamp.z(), cx, cy, cz, r));
+        if (lamp.directional()) {
+            return 1;
+        }
+        double power = PowerOfPoint.of(lamp.x(), lamp.y(), lamp.z(), cx, cy, cz, r);
+        return Math.abs(power) <= Rounding.power(lamp.positionError(), r) ? 0 : power > 0 ? 1 : -1;
     }
 
     @Override

@@ -179,7 +179,7 @@ public final class TileTracer {
             rays.green[i] = times(rays.green[i], mirror.green());
             rays.blue[i] = times(rays.blue[i], mirror.blue());
             if (canChange(i)) {
-                mirror(i);
+                rays.mirror(i);
                 rays.move(i, kept++);
             }
         }
@@ -189,19 +189,6 @@ public final class TileTracer {
     private boolean canChange(int i) {
         int p = rays.pixel[i];
         return rays.red[i] > 0 && red[p] < 1 || rays.green[i] > 0 && green[p] < 1 || rays.blue[i] > 0 && blue[p] < 1;
-    }
-
-    private void mirror(int i) {
-        double nx = rays.nx[i], ny = rays.ny[i], nz = rays.nz[i];
-        double twice = 2 * (rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz);
-        double x = rays.dx[i] - twice * nx, y = rays.dy[i] - twice * ny, z = rays.dz[i] - twice * nz;
-        // Its length is 1 but for rounding, which would add up from mirror to mirror.
-        double length = Math.sqrt(x * x + y * y + z * z);
-        rays.dx[i] = x / length;
-        rays.dy[i] = y / length;
-        rays.dz[i] = z / length;
-        rays.directionError[i] += 4 * rays.normalError[i] + 4 * Rounding.U;
-        rays.source[i] = rays.hit[i];
     }
 
     /** A product in which nothing of something infinite is nothing: an infinite highlight, a black component. */

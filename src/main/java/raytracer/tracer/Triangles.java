@@ -8,7 +8,9 @@ import raytracer.scene.Vector;
  * edge is the sign of direction . (a x b), a and b being the edge's ends seen from the origin: two triangles that share
  * an edge compute the same number for it but for its sign, so no ray slips between them (the argument of Woop, Benthin
  * and Wald, Watertight Ray/Triangle Intersection, JCGT 2013, in the coordinates of Davidovic et al., 3D Rasterization:
- * A Bridge between Rasterization and Ray Casting, 2012). On an edge a ray meets both.
+ * A Bridge between Rasterization and Ray Casting, 2012). At a corner many edges meet, and their rounded signs may
+ * contradict one another so that no triangle is left; therefore a ray that rounding cannot tell from an edge is on it,
+ * and meets both sides.
  */
 final class Triangles extends BoundedSurfaces {
 
@@ -124,7 +126,7 @@ final class Triangles extends BoundedSurfaces {
         }
         double x = data[at] - lamp.x(), y = data[at + 1] - lamp.y(), z = data[at + 2] - lamp.z();
         double lampOffset = x * data[at + 9] + y * data[at + 10] + z * data[at + 11];
-        double bound = Rounding.planeOffset(0, Math.abs(x) + Math.abs(y) + Math.abs(z));
+        double bound = Rounding.planeOffset(lamp.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lampOffset < -bound : lampOffset > bound;
     }
 

@@ -56,6 +56,22 @@ class ArithmeticStabilityTest {
     }
 
     @Test
+    @DisplayName("no highlight is more than full, though its cosine may round to more than 1")
+    void fullHighlights() throws Exception {
+        Random random = new Random(2);
+        int above = 0;
+        for (int i = 0; i < 500; i++) {
+            Vector n = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            above += n.dot(n) > 1 ? 1 : 0;
+            String eye = 5 * n.x() + " " + 5 * n.y() + " " + 5 * n.z();
+            double[] c = Pictures.trace("size 1 1\ncamera " + eye + " 0 0 0 .3 .5 .7 45\nshininess 1e18\nspecular 1 1 1\n"
+                    + "plane 0 0 0 " + n.x() + " " + n.y() + " " + n.z() + "\npoint " + eye + " 1 1 1\n");
+            assertTrue(c[0] <= 1, "a highlight of " + c[0]);
+        }
+        assertTrue(above > 50, above + " unit vectors longer than 1");
+    }
+
+    @Test
     @DisplayName("a byte is the rounded colour: 1 is 255 and does not wrap, .3 is 76")
     void bytes() {
         assertEquals(0, (byte) (int) (256.0 * 1) & 255, "256 steps wrap");

@@ -98,25 +98,46 @@ class ContactStabilityTest {
     }
 
     @Test
-    @DisplayName("a light on a surface shines on it and off it, without speckles; a fixed interval's end speckles")
+    @DisplayName("a light on a surface shines on it and off it, without speckles; a plain comparison speckles")
     void lightOnSurface() throws Exception {
         Random random = new Random(4);
-        Vector lamp = new Vector(0, 2, -1);
-        Vector normal = new Vector(1, 2, 3).unit();
-        Probe probe = new Probe("plane -3 2 0 1 2 3\nsphere 0 -9 0 1");
-        int naive = 0, dark = 0;
+        int naive = 0, dark = 0, tried = 0;
         for (int i = 0; i < POINTS; i++) {
-            // From points of the sphere that face the plane: the plane itself is all that could be in the way.
-            Vector eye = new Vector(random.nextGaussian(), -5, random.nextGaussian());
-            Probe.Meeting m = probe.shoot(eye, new Vector(.2 * random.nextGaussian(), -9, .2 * random.nextGaussian()).minus(eye));
-            if (m != null && m.shape() == 1) {
-                dark += probe.seesPoint(lamp) ? 0 : 1;
-                Vector way = lamp.minus(m.point());
-                double t = Naive.plane(m.point(), way.unit(), new Vector(-3, 2, 0), normal, 1e-9);
-                naive += t < way.length() ? 1 : 0;
-            }
+            // A plane in any direction, and a light on it as well as doubles can place it; a ball that faces the plane.
+            Vector n = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector along = n.cross(new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())).unit();
+            Vector q = new Vector(1, 2, 3), lamp = Naive.point(q, along, random.nextDouble());
+            Vector ball = Naive.point(lamp, n, 5), eye = Naive.point(ball, n, -3);
+            Probe probe = new Probe("plane 1 2 3 " + n.x() + " " + n.y() + " " + n.z() + "\nsphere " + ball.x() + " " + ball.y()
+                    + " " + ball.z() + " 1");
+            Probe.Meeting m = probe.shoot(eye, ball.minus(eye));
+            assertTrue(m.shape() == 1, "the ball is seen");
+            tried++;
+            dark += probe.seesPoint(lamp) ? 0 : 1;
+            Vector way = lamp.minus(m.point());
+            double t = Naive.plane(m.point(), way.unit(), q, n, 1e-9);
+            naive += t < way.length() ? 1 : 0;
         }
-        assertEquals(0, dark, "points that the light's own surface hides");
+        assertTrue(tried == POINTS && dark == 0, dark + " points that the light's own surface hides");
         assertTrue(naive > POINTS / 20, naive + " with a plain comparison");
+    }
+
+    @Test
+    @DisplayName("a light on a triangle likewise")
+    void lightOnTriangle() throws Exception {
+        Random random = new Random(5);
+        for (int i = 0; i < POINTS; i++) {
+            Vector a = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+            Vector u = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+            Vector v = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+            Vector b = Naive.point(a, u, 1), c = Naive.point(a, v, 1);
+            Vector lamp = Naive.point(Naive.point(a, u, .1 + .3 * random.nextDouble()), v, .1 + .3 * random.nextDouble());
+            Vector ball = Naive.point(lamp, u.cross(v).unit(), 5), eye = Naive.point(ball, u.cross(v).unit(), -3);
+            Probe probe = new Probe("sphere " + ball.x() + " " + ball.y() + " " + ball.z() + " 1\nmaxverts 3\nvertex "
+                    + a.x() + " " + a.y() + " " + a.z() + "\nvertex " + b.x() + " " + b.y() + " " + b.z() + "\nvertex "
+                    + c.x() + " " + c.y() + " " + c.z() + "\ntri 0 1 2\n");
+            assertTrue(probe.shoot(eye, ball.minus(eye)).shape() == 0);
+            assertTrue(probe.seesPoint(lamp), "case " + i);
+        }
     }
 }

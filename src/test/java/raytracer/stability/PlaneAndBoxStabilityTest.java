@@ -2,8 +2,10 @@ package raytracer.stability;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,6 +27,21 @@ class PlaneAndBoxStabilityTest {
         assertEquals(truth, m.distance(), 1e-15 * truth);
         boolean lost = Double.isNaN(Naive.plane(eye, d, new Vector(0, 0, 0), up, 1e-6));
         assertEquals(distance >= 1e6, lost, "lost by |d.n| < 1e-6");
+    }
+
+    @Test
+    @DisplayName("a ray that is parallel as far as doubles can tell meets nothing; a test for 0 makes horizons of rounding")
+    void parallel() throws Exception {
+        Random random = new Random(1);
+        int naive = 0;
+        for (int i = 0; i < 1000; i++) {
+            Vector n = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector d = n.cross(new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())).unit();
+            Vector o = Naive.point(new Vector(1, 2, 3), n, random.nextBoolean() ? 1 : -1);
+            assertNull(new Probe("plane 1 2 3 " + n.x() + " " + n.y() + " " + n.z()).shoot(o, d));
+            naive += Naive.plane(o, d, new Vector(1, 2, 3), n, 0) > 0 ? 1 : 0;
+        }
+        assertTrue(naive > 200, naive + " of 1000 met at distances about 1e16");
     }
 
     @Test

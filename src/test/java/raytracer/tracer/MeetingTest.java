@@ -126,6 +126,23 @@ class MeetingTest {
         }
     }
 
+    @Test
+    void keepsItsLengthOverAMillionMirrors() {
+        Rays rays = new Rays(new int[1]);
+        Vector d = at(.3, .5, .8).unit(), n = at(.6, .7, .1).unit(), m = at(-.1, .9, .3).unit();
+        rays.dx[0] = d.x();
+        rays.dy[0] = d.y();
+        rays.dz[0] = d.z();
+        for (int i = 0; i < 1_000_000; i++) {
+            Vector normal = i % 2 == 0 ? n : m;
+            rays.nx[0] = normal.x();
+            rays.ny[0] = normal.y();
+            rays.nz[0] = normal.z();
+            rays.mirror(0);
+        }
+        assertEquals(1, at(rays.dx[0], rays.dy[0], rays.dz[0]).length(), 4 * Rounding.U);
+    }
+
     @Nested
     @DisplayName("that meets several")
     class Ties {

@@ -1,0 +1,82 @@
+package raytracer.chart;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Panels in a grid under a heading, as an SVG file that is legible on white and on black. */
+final class Figure {
+
+    private static final int HEAD = 44;
+    private static final int FOOT = 22;
+
+    private static final String STYLE = """
+            <style>
+            text { font-family: Helvetica, Arial, sans-serif; font-size: 11px; fill: #222; stroke: none; }
+            .heading { font-size: 16px; font-weight: bold; }
+            .title { font-size: 12px; font-weight: bold; }
+            .foot, .note { font-size: 10px; fill: #666; }
+            .label { font-weight: bold; }
+            .frame { stroke: #555; fill: none; }
+            .grid { stroke: #ddd; fill: none; }
+            .band { fill: #2a9d4a; fill-opacity: .13; stroke: none; }
+            .front { stroke: #888; fill: none; stroke-dasharray: 5 3; }
+            .curve { stroke: #888; fill: none; stroke-width: 1.5; }
+            .quartiles { stroke-width: 2; fill: none; }
+            .s0 { fill: #c0392b; stroke: #c0392b; } .s1 { fill: #b9770e; stroke: #b9770e; }
+            .s2 { fill: #2471a3; stroke: #2471a3; } .s3 { fill: #7d3c98; stroke: #7d3c98; }
+            .s4 { fill: #1e8449; stroke: #1e8449; }
+            text.s0, text.s1, text.s2, text.s3, text.s4 { stroke: none; }
+            text.s0 { fill: #c0392b; } text.s1 { fill: #b9770e; } text.s2 { fill: #2471a3; }
+            text.s3 { fill: #7d3c98; } text.s4 { fill: #1e8449; }
+            .page { fill: #fff; }
+            @media (prefers-color-scheme: dark) {
+            .page { fill: #0d1117; }
+            text { fill: #ddd; } .foot, .note { fill: #999; } .grid { stroke: #333; } .frame { stroke: #999; }
+            .s0 { fill: #ff7b6b; stroke: #ff7b6b; } .s1 { fill: #f0b44c; stroke: #f0b44c; }
+            .s2 { fill: #5dade2; stroke: #5dade2; } .s3 { fill: #c39bd3; stroke: #c39bd3; }
+            .s4 { fill: #58d68d; stroke: #58d68d; }
+            text.s0 { fill: #ff7b6b; } text.s1 { fill: #f0b44c; } text.s2 { fill: #5dade2; }
+            text.s3 { fill: #c39bd3; } text.s4 { fill: #58d68d; }
+            }
+            </style>
+            """;
+
+    private final String heading;
+    private final String foot;
+    private final int columns;
+    private final int width;
+    private final int height;
+    private final List<Panel> panels = new ArrayList<>();
+
+    /** @param width and height of one panel */
+    Figure(String heading, String foot, int columns, int width, int height) {
+        this.heading = heading;
+        this.foot = foot;
+        this.columns = columns;
+        this.width = width;
+        this.height = height;
+    }
+
+    void add(Panel panel) {
+        panels.add(panel);
+    }
+
+    void write(Path file) throws IOException {
+        int rows = (panels.size() + columns - 1) / columns;
+        int w = columns * width, h = HEAD + rows * height + FOOT;
+        StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h
+                + "' width='" + w + "' height='" + h + "'>\n" + STYLE + "<rect class='page' width='" + w + "' height='" + h
+                + "'/>\n<text class='heading' x='14' y='27'>" + heading + "</text>\n");
+        for (int i = 0; i < panels.size(); i++) {
+            svg.append("<g transform='translate(").append(i % columns * width).append(' ')
+                    .append(HEAD + i / columns * height).append(")'>\n").append(panels.get(i).svg(width, height))
+                    .append("</g>\n");
+        }
+        svg.append("<text class='foot' x='14' y='").append(h - 8).append("'>").append(foot).append("</text>\n</svg>\n");
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, svg);
+    }
+}

@@ -1,0 +1,79 @@
+package raytracer.tracer;
+
+import java.util.concurrent.ForkJoinPool;
+import raytracer.scene.Scene;
+import raytracer.scene.Vector;
+import raytracer.text.Scenes;
+
+/**
+ * The tracer's own kernels for benchmarks: each of many rays against one sphere or triangle of its own, without a tree
+ * in between.
+ */
+public final class KernelAccess {
+
+    private final BoundedSurfaces surfaces;
+    private final Rays[] tiles;
+    private final int[][] slots;
+
+    /**
+     * @param shapes  commands that declare spheres or triangles, all of one kind
+     * @param origin  of each ray
+     * @param targets which shape each ray is tried against, by number in the order of declaration
+     */
+    public KernelAccess(String shapes, Vector[] origin, Vector[] direction, int[] targets) throws Exception {
+        Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+        surfaces = (BoundedSurfaces) compiler.spheres().or(compiler::triangles).orElseThrow();
+        int[] slotOf = new int[compiler.slots().declared().length];
+        for (int slot = 0; slot < slotOf.length; slot++) {
+            slotOf[compiler.slots().declared()[slot]] = slot;
+        }
+        int count = (origin.length + Rays.CAPACITY - 1) / Rays.CAPACITY;
+        tiles = new Rays[count];
+        slots = new int[count][Rays.CAPACITY];
+        for (int i = 0; i < origin.length; i++) {
+            int tile = i / Rays.CAPACITY, ray = i % Rays.CAPACITY;
+            if (ray == 0) {
+                tiles[tile] = new Rays(compiler.slots().declared());
+            }
+            load(tiles[tile], ray, origin[i], direction[i]);
+            slots[tile][ray] = slotOf[targets[i]];
+        }
+    }
+
+    private static void load(Rays rays, int ray, Vector o, Vector d) {
+        rays.count = ray + 1;
+        rays.ox[ray] = o.x();
+        rays.oy[ray] = o.y();
+        rays.oz[ray] = o.z();
+        rays.dx[ray] = d.x();
+        rays.dy[ray] = d.y();
+        rays.dz[ray] = d.z();
+        rays.source[ray] = Rays.NONE;
+        rays.directionError[ray] = Rounding.EYE_DIRECTION;
+    }
+
+    /** Tries every ray; returns some number that depends on all. */
+    public double run() {
+        double sum = 0;
+        for (int tile = 0; tile < tiles.length; tile++) {
+            Rays rays = tiles[tile];
+            rays.clearHits();
+            for (int i = 0; i < rays.count; i++) {
+                surfaces.meet(rays, i, slots[tile][i]);
+            }
+            sum += rays.distance[0];
+        }
+        return sum;
+    }
+
+    /** The distances of the last run; NaN where nothing is met. */
+    public double[] distances() {
+        double[] all = new double[(tiles.length - 1) * Rays.CAPACITY + tiles[tiles.length - 1].count];
+        for (int i = 0; i < all.length; i++) {
+            double t = tiles[i / Rays.CAPACITY].distance[i % Rays.CAPACITY];
+            all[i] = Double.isInfinite(t) ? Double.NaN : t;
+        }
+        return all;
+    }
+}
