@@ -71,15 +71,15 @@ final class Rounding {
     }
 
     /**
-     * Bounds the error of direction . (a x b), a and b being an edge's ends seen from the origin. The differences, the
-     * products and the sums round by 8u of the product of the ends' sizes; where the ray is off by some length, the
-     * volume is by that times the edge.
+     * Bounds the error of direction . (edge x (a + b)), a and b being the edge's ends seen from the origin: the ends
+     * round by u and the sum by 2u of their distance, products and sums by 6u of theirs times the edge, all of it twice
+     * at most; where the ray is off by some length, the result is by that times twice the edge.
      *
      * @param reach |x| + |y| + |z| of the farther end
      * @param edge  |x| + |y| + |z| of the edge, or more
      */
     static double edge(double originError, double directionError, double reach, double edge) {
-        return 8 * U * reach * reach + DIAGONAL * (originError + directionError * reach) * edge;
+        return edge * (24 * U * reach + 2 * DIAGONAL * (originError + directionError * reach));
     }
 
     /** Bounds the error of the power of an origin, |origin - centre|^2 - r^2, due to the origin's error. */

@@ -84,9 +84,9 @@ final class Triangles extends BoundedSurfaces {
         double ax = data[at] - ox, ay = data[at + 1] - oy, az = data[at + 2] - oz;
         double bx = data[at + 3] - ox, by = data[at + 4] - oy, bz = data[at + 5] - oz;
         double cx = data[at + 6] - ox, cy = data[at + 7] - oy, cz = data[at + 8] - oz;
-        double ab = dx * (ay * bz - az * by) + dy * (az * bx - ax * bz) + dz * (ax * by - ay * bx);
-        double bc = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
-        double ca = dx * (cy * az - cz * ay) + dy * (cz * ax - cx * az) + dz * (cx * ay - cy * ax);
+        double ab = side(ax, ay, az, bx, by, bz, dx, dy, dz);
+        double bc = side(bx, by, bz, cx, cy, cz, dx, dy, dz);
+        double ca = side(cx, cy, cz, ax, ay, az, dx, dy, dz);
         double least = Math.min(ab, Math.min(bc, ca)), most = Math.max(ab, Math.max(bc, ca));
         if (least >= 0 || most <= 0) {
             return true;
@@ -94,10 +94,21 @@ final class Triangles extends BoundedSurfaces {
         double a = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
         double b = Math.abs(bx) + Math.abs(by) + Math.abs(bz);
         double c = Math.abs(cx) + Math.abs(cy) + Math.abs(cz);
-        double edge = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
+        double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
                 + Math.abs(cx - ax) + Math.abs(cy - ay) + Math.abs(cz - az);
-        double bound = Rounding.edge(originError, directionError, Math.max(a, Math.max(b, c)), edge);
+        double bound = Rounding.edge(originError, directionError, Math.max(a, Math.max(b, c)), edges);
         return least >= -bound || most <= bound;
+    }
+
+    /**
+     * Twice direction . (a x b), as direction . ((b - a) x (a + b)): the edge is short where the ends are far, so the
+     * products are smaller, and round by less. Exchanging a and b changes the sign and nothing else.
+     */
+    private static double side(double ax, double ay, double az, double bx, double by, double bz,
+            double dx, double dy, double dz) {
+        double ex = bx - ax, ey = by - ay, ez = bz - az;
+        double sx = ax + bx, sy = ay + by, sz = az + bz;
+        return dx * (ey * sz - ez * sy) + dy * (ez * sx - ex * sz) + dz * (ex * sy - ey * sx);
     }
 
     @Override

@@ -200,7 +200,7 @@ final class KernelCharts {
                 System.arraycopy(methods.get(k).distances.get(), 0, answers.get(k), batch * BATCH, BATCH);
             }
             if (batch == BATCHES - 1) {
-                timings = Timing.of(methods.stream().map(Method::work).toList(), BATCH, 400, 201);
+                timings = Timing.of(methods.stream().map(Method::work).toList(), BATCH, 4000, 1001);
             }
         }
         Panel wrong = new Panel(name, "ns per ray", "wrong per million", 3e6 / RAYS,
