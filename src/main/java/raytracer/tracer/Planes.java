@@ -51,11 +51,18 @@ final class Planes implements Surfaces {
                 }
                 double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
                 if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
-                    rays.offer(i, firstSlot + k, t, Rounding.planeDistance(
-                            rays.originError[i], rays.directionError[i], reach, t, cosine));
+                    rays.offer(i, firstSlot + k, t);
                 }
             }
         }
+    }
+
+    @Override
+    public double distanceError(Rays rays, int i, int slot, double t) {
+        int k = slot - firstSlot;
+        double reach = Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
+        double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
+        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach, t, cosine);
     }
 
     @Override

@@ -1,5 +1,8 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+import java.util.List;
+
 /**
  * A tile's rays, one array per quantity, and what they have met. The rays in use are the first {@link #count}; each
  * belongs to one pixel of the tile.
@@ -31,10 +34,9 @@ final class Rays {
     final double[] dz = new double[CAPACITY];
     final double[] directionError = new double[CAPACITY];
 
-    // The nearest surface so far, its distance, and a bound on the distance's error.
+    // The nearest surface so far, and its distance.
     final int[] hit = new int[CAPACITY];
     final double[] distance = new double[CAPACITY];
-    final double[] distanceError = new double[CAPACITY];
 
     // The unit normal where the ray has arrived, and a bound on the error of each coordinate.
     final double[] nx = new double[CAPACITY];
@@ -50,37 +52,51 @@ final class Rays {
     /** By slot: the surface's number in the order of declaration. */
     private final int[] declared;
 
-    Rays(int[] declared) {
+    private final List<Surfaces> surfaces;
+
+    /** @param surfaces all that the rays may meet */
+    Rays(int[] declared, List<Surfaces> surfaces) {
         this.declared = declared;
+        this.surfaces = surfaces;
     }
 
     /** Forgets what was met. */
     void clearHits() {
-        java.util.Arrays.fill(hit, 0, count, NONE);
-        java.util.Arrays.fill(distance, 0, count, Double.POSITIVE_INFINITY);
-        java.util.Arrays.fill(distanceError, 0, count, 0);
+        Arrays.fill(hit, 0, count, NONE);
+        Arrays.fill(distance, 0, count, Double.POSITIVE_INFINITY);
     }
 
     /** The distance beyond which no hit can be, or tie with, the nearest of a ray. */
     double reach(int ray) {
-        return distance[ray] * (1 + Rounding.TIE_SIEVE) + distanceError[ray];
+        return distance[ray] * (1 + Rounding.TIE_SIEVE);
     }
 
     /**
      * A ray meets a surface. The nearest counts; of two distances that rounding cannot tell apart, the surface that was
      * declared first.
+     *
+     * @param t at most {@link #reach}; infinite distances are not met
      */
-    void offer(int ray, int slot, double t, double error) {
-        double margin = error + distanceError[ray];
-        double nearest = distance[ray];
-        boolean nearer = hit[ray] == NONE
-                ? t < Double.POSITIVE_INFINITY
-                : t < nearest - margin || t <= nearest + margin && declared[slot] < declared[hit[ray]];
-        if (nearer) {
+    void offer(int ray, int slot, double t) {
+        boolean wins = t < distance[ray] * (1 - Rounding.TIE_SIEVE) || hit[ray] != NONE && winsClose(ray, slot, t);
+        if (wins) {
             hit[ray] = slot;
             distance[ray] = t;
-            distanceError[ray] = error;
         }
+    }
+
+    private boolean winsClose(int ray, int slot, double t) {
+        double margin = distanceError(ray, slot, t) + distanceError(ray, hit[ray], distance[ray]);
+        return t < distance[ray] - margin || t <= distance[ray] + margin && declared[slot] < declared[hit[ray]];
+    }
+
+    private double distanceError(int ray, int slot, double t) {
+        for (Surfaces kind : surfaces) {
+            if (kind.owns(slot)) {
+                return kind.distanceError(this, ray, slot, t);
+            }
+        }
+        throw new IllegalArgumentException("no surface has slot " + slot);
     }
 
     /**
@@ -132,7 +148,6 @@ final class Rays {
         directionError[to] = directionError[from];
         hit[to] = hit[from];
         distance[to] = distance[from];
-        distanceError[to] = distanceError[from];
         nx[to] = nx[from];
         ny[to] = ny[from];
         nz[to] = nz[from];

@@ -68,9 +68,17 @@ final class Spheres extends BoundedSurfaces {
             t = distance(power, along, half);
         }
         if (t > 0 && t <= rays.reach(i)) {
-            rays.offer(i, slot(k), t,
-                    Rounding.sphereDistance(originError, directionError, reach, r, half, along, t));
+            rays.offer(i, slot(k), t);
         }
+    }
+
+    @Override
+    public double distanceError(Rays rays, int i, int slot, double t) {
+        int k = STRIDE * number(slot);
+        double x = rays.ox[i] - data[k], y = rays.oy[i] - data[k + 1], z = rays.oz[i] - data[k + 2];
+        double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
+        return Rounding.sphereDistance(rays.originError[i], rays.directionError[i],
+                Math.abs(x) + Math.abs(y) + Math.abs(z), data[k + 3], Math.abs(t + along), along, t);
     }
 
     /**

@@ -41,7 +41,7 @@ public final class TileTracer {
         this.material = slots.material();
         this.lamps = lamps;
         this.maxDepth = maxDepth;
-        rays = new Rays(slots.declared());
+        rays = new Rays(slots.declared(), surfaces);
     }
 
     /**

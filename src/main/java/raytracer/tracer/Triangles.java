@@ -73,9 +73,17 @@ final class Triangles extends BoundedSurfaces {
         }
         double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
         if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
-            rays.offer(i, slot(k), t, Rounding.planeDistance(
-                    rays.originError[i], rays.directionError[i], reach, t, cosine));
+            rays.offer(i, slot(k), t);
         }
+    }
+
+    @Override
+    public double distanceError(Rays rays, int i, int slot, double t) {
+        int at = STRIDE * number(slot);
+        double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
+                + Math.abs(data[at + 2] - rays.oz[i]);
+        double cosine = rays.dx[i] * data[at + 9] + rays.dy[i] * data[at + 10] + rays.dz[i] * data[at + 11];
+        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach, t, cosine);
     }
 
     /** Whether the line of a ray passes a triangle's three edges on the same side, or on them as far as one can tell. */

@@ -38,7 +38,7 @@ final class LeavingChart {
         for (int e = -12; e <= -3; e++) {
             double epsilon = Math.pow(10, e);
             double[] rates = rates((p, n, d, c, r) -> above(epsilon, p, d, c, r));
-            curve.add(new double[] {Math.max(rates[0], 3e6 / CASES), Math.max(rates[1], 3e6 / CASES)});
+            curve.add(rates);
             add(panel, "eps 1e" + e, 0, rates);
         }
         panel.curve("fixed epsilon", curve);

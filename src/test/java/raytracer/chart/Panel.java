@@ -6,7 +6,7 @@ import java.util.Locale;
 
 /**
  * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes), and a band
- * at the foot for results of which none was wrong. Values at or below the band's limit are drawn inside the band.
+ * at the foot for results that cannot be told from none.
  */
 final class Panel {
 
@@ -30,7 +30,7 @@ final class Panel {
     private boolean besideX;
 
     /**
-     * @param limit      at or below it a y counts as none; 0 for no band
+     * @param limit      the top of the band at the foot, at which zeros are drawn; 0 for no band and no zeros
      * @param limitLabel what the band says
      */
     Panel(String title, String xLabel, String yLabel, double limit, String limitLabel) {
@@ -87,7 +87,7 @@ final class Panel {
             points.forEach(p -> values.add(horizontal ? p.x : p.y));
             curves.forEach(c -> c.points.forEach(p -> values.add(p[horizontal ? 0 : 1])));
             for (double v : values) {
-                if (v > band) {
+                if (v > 0) {
                     low = Math.min(low, v);
                     high = Math.max(high, v);
                 }
@@ -97,16 +97,16 @@ final class Panel {
                 high = Math.max(high, 10 * band);
             }
             double first = Math.floor(Math.log10(low) - .001), last = Math.ceil(Math.log10(high) + .05);
-            return new double[] {band > 0 ? Math.log10(band) - 1 : first, Math.max(last, first + 1)};
+            return new double[] {band > 0 ? Math.min(first, Math.floor(Math.log10(band) - .3)) : first, Math.max(last, first + 1)};
         }
 
         private double px(double x) {
-            double v = besideX && x <= limit ? Math.log10(limit) - .5 : Math.log10(x);
+            double v = besideX && x == 0 ? x0 + .25 : Math.log10(x);
             return LEFT + (v - x0) / (x1 - x0) * (width - LEFT - RIGHT);
         }
 
         private double py(double y) {
-            double v = limit > 0 && y <= limit ? Math.log10(limit) - .5 : Math.log10(y);
+            double v = y == 0 ? y0 + .25 : Math.log10(y);
             return height - BOTTOM - (v - y0) / (y1 - y0) * (height - TOP - BOTTOM);
         }
 
@@ -125,25 +125,25 @@ final class Panel {
 
         private void axes() {
             if (limit > 0) {
-                double top = py(limit * 1.0000001);
+                double top = py(limit);
                 line("<rect class='band' x='%d' y='%.1f' width='%d' height='%.1f'/>", LEFT, top, width - LEFT - RIGHT,
                         height - BOTTOM - top);
-                text(width - RIGHT - 4, height - BOTTOM - 4, "note", "end", limitLabel);
+                text(width - RIGHT - 4, top + 11, "note", "end", limitLabel);
                 if (besideX) {
                     line("<rect class='band' x='%d' y='%d' width='%.1f' height='%d'/>", LEFT, TOP,
-                            px(limit * 1.0000001) - LEFT, height - TOP - BOTTOM);
+                            px(limit) - LEFT, height - TOP - BOTTOM);
                 }
             }
             for (int e = (int) Math.ceil(x0); e <= x1; e++) {
                 double x = px(Math.pow(10, e));
-                if (!besideX || Math.pow(10, e) > limit) {
+                if (x0 < e) {
                     line("<path class='grid' d='M%.1f %d V%d'/>", x, TOP, height - BOTTOM);
                     text(x, height - BOTTOM + 14, "tick", "middle", power(e));
                 }
             }
             int step = y1 - y0 > 9 ? 2 : 1;
             for (int e = (int) Math.ceil(y0); e <= y1; e += step) {
-                if (limit == 0 || Math.pow(10, e) > limit) {
+                if (limit == 0 || y0 < e) {
                     double y = py(Math.pow(10, e));
                     line("<path class='grid' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
                     text(LEFT - 5, y + 4, "tick", "end", power(e));

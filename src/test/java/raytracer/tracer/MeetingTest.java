@@ -128,7 +128,7 @@ class MeetingTest {
 
     @Test
     void keepsItsLengthOverAMillionMirrors() {
-        Rays rays = new Rays(new int[1]);
+        Rays rays = new Rays(new int[1], java.util.List.of());
         Vector d = at(.3, .5, .8).unit(), n = at(.6, .7, .1).unit(), m = at(-.1, .9, .3).unit();
         rays.dx[0] = d.x();
         rays.dy[0] = d.y();

@@ -27,7 +27,7 @@ public final class Probe {
         slots = compiler.slots();
         surfaces = Stream.of(compiler.planes(), compiler.spheres(), compiler.triangles())
                 .flatMap(java.util.Optional::stream).toList();
-        rays = new Rays(slots.declared());
+        rays = new Rays(slots.declared(), surfaces);
     }
 
     /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
