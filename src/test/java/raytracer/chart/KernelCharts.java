@@ -30,6 +30,11 @@ final class KernelCharts {
     /** A method to be timed on one batch; what it leaves are its distances. */
     private record Method(String name, Timing.Work work, Supplier<double[]> distances) { }
 
+    /** A regime whose answers are known and whose times are not yet. */
+    private record Judged(String chart, String regime, List<Method> methods, List<Verdict> verdicts) { }
+
+    private final List<Judged> waiting = new ArrayList<>();
+
     /** A set of rays, and what they meet exactly; methods are made for each batch anew. */
     private interface Regime {
         List<Method> batch(Random random, double[] truth) throws Exception;
@@ -37,12 +42,13 @@ final class KernelCharts {
 
     void spheres(Path file) throws Exception {
         Figure figure = new Figure("Sphere kernels: speed against accuracy", origin, 2, 440, 250);
-        add(figure, "spheres", "ordinary: radius 1, 3 to 30 away", random -> ball(random, 1, 3 + 27 * random.nextDouble(), 1.3, 0));
-        add(figure, "spheres", "far: radius 1, 10^6 to 10^8 away",
+        addSpheres("ordinary: radius 1, 3 to 30 away", random -> ball(random, 1, 3 + 27 * random.nextDouble(), 1.3, 0));
+        addSpheres("far: radius 1, 10^6 to 10^8 away",
                 random -> ball(random, 1, Math.pow(10, 6 + 2 * random.nextDouble()), 1.3, 0));
-        add(figure, "spheres", "huge: radius 10^4 to 10^9, eye at height .001 to 1", KernelCharts::ground);
-        add(figure, "spheres", "edge-aimed: past the rim by 10^-12 to 10^-3 radii",
+        addSpheres("huge: radius 10^4 to 10^9, eye at height .001 to 1", KernelCharts::ground);
+        addSpheres("edge-aimed: past the rim by 10^-12 to 10^-3 radii",
                 random -> ball(random, 1, 3 + 27 * random.nextDouble(), 1, 1e-3));
+        finish(figure);
         figure.write(file);
     }
 
@@ -82,8 +88,8 @@ final class KernelCharts {
         Vector[] next(Random random);
     }
 
-    private void add(Figure figure, String chart, String name, SphereRay rays) throws Exception {
-        add(figure, chart, name, (random, truth) -> {
+    private void addSpheres(String name, SphereRay rays) throws Exception {
+        judge("spheres", name, (random, truth) -> {
             Vector[] o = new Vector[BATCH], d = new Vector[BATCH], c = new Vector[BATCH];
             double[] r = new double[BATCH];
             int[] own = new int[BATCH];
@@ -110,15 +116,16 @@ final class KernelCharts {
 
     void triangles(Path file) throws Exception {
         Figure figure = new Figure("Triangle kernels: speed against accuracy", origin, 2, 440, 250);
-        addTriangles(figure, "ordinary: legs about 1, 3 to 30 away", 1, 10, false);
-        addTriangles(figure, "far: legs about 1, 10^6 to 10^7 away", 1, 3e6, false);
-        addTriangles(figure, "small: legs about 10^-6, seen from 10^-5", 1e-6, 10, false);
-        addTriangles(figure, "edge-aimed: at an edge that two triangles share", 1, 10, true);
+        addTriangles("ordinary: legs about 1, 3 to 30 away", 1, 10, false);
+        addTriangles("far: legs about 1, 10^6 to 10^7 away", 1, 3e6, false);
+        addTriangles("small: legs about 10^-6, seen from 10^-5", 1e-6, 10, false);
+        addTriangles("edge-aimed: at an edge that two triangles share", 1, 10, true);
+        finish(figure);
         figure.write(file);
     }
 
-    private void addTriangles(Figure figure, String name, double size, double distance, boolean edge) throws Exception {
-        add(figure, "triangles", name, (random, truth) -> {
+    private void addTriangles(String name, double size, double distance, boolean edge) throws Exception {
+        judge("triangles", name, (random, truth) -> {
             Vector[] o = new Vector[BATCH], d = new Vector[BATCH];
             Vector[] first = new Vector[3 * BATCH], second = new Vector[3 * BATCH];
             int[] one = new int[BATCH], other = new int[BATCH];
@@ -181,41 +188,56 @@ final class KernelCharts {
         return t;
     }
 
-    private void add(Figure figure, String chart, String name, Regime regime) throws Exception {
+    /** A regime's answers are judged at once; its last batch waits to be timed with all others. */
+    private void judge(String chart, String name, Regime regime) throws Exception {
         Random random = new Random(1);
         double[] truth = new double[RAYS];
         List<double[]> answers = new ArrayList<>();
-        List<String> names = new ArrayList<>();
-        Timing[] timings = null;
+        List<Method> methods = List.of();
         for (int batch = 0; batch < BATCHES; batch++) {
             double[] exact = new double[BATCH];
-            List<Method> methods = regime.batch(random, exact);
+            methods = regime.batch(random, exact);
             System.arraycopy(exact, 0, truth, batch * BATCH, BATCH);
             for (int k = 0; k < methods.size(); k++) {
                 if (batch == 0) {
                     answers.add(new double[RAYS]);
-                    names.add(methods.get(k).name);
                 }
                 methods.get(k).work.run();
                 System.arraycopy(methods.get(k).distances.get(), 0, answers.get(k), batch * BATCH, BATCH);
             }
-            if (batch == BATCHES - 1) {
-                timings = Timing.of(methods.stream().map(Method::work).toList(), BATCH, 4000, 1001);
-            }
         }
-        Panel wrong = new Panel(name, "ns per ray", "wrong per million", 3e6 / RAYS,
-                "none wrong in " + RAYS + " (95 %: below " + Math.round(3e6 / RAYS) + " per million)");
-        Panel error = new Panel(name, "ns per ray", "error of t, 99.9 %", 0, "");
-        for (int k = 0; k < names.size(); k++) {
-            Verdict verdict = Verdict.of(answers.get(k), truth);
-            Timing timing = timings[k];
-            int series = names.get(k).equals("ours") ? 4 : k % 4;
-            wrong.point(names.get(k), series, timing.median(), timing.low(), timing.high(), verdict.wrongPerMillion());
-            error.point(names.get(k), series, timing.median(), timing.low(), timing.high(), verdict.p999());
-            csv.add(String.format(Locale.ROOT, "%s,\"%s\",%s,%.2f,%.2f,%.2f,%d,%d,%.3g", chart, name, names.get(k).replace(",", ""),
-                    timing.median(), timing.low(), timing.high(), verdict.count(), verdict.wrong(), verdict.p999()));
+        List<Verdict> verdicts = answers.stream().map(a -> Verdict.of(a, truth)).toList();
+        waiting.add(new Judged(chart, name, methods, verdicts));
+    }
+
+    /** Times all regimes that wait, in turns, and draws them. */
+    private void finish(Figure figure) {
+        List<Timing.Work> works = waiting.stream().flatMap(j -> j.methods.stream()).map(Method::work).toList();
+        Timing[] timings = Timing.of(works, BATCH, 1000, 501);
+        int next = 0;
+        for (Judged judged : waiting) {
+            next = draw(figure, judged, timings, next);
+        }
+        waiting.clear();
+    }
+
+    private int draw(Figure figure, Judged judged, Timing[] timings, int first) {
+        Panel wrong = new Panel(judged.regime, "ns per ray", "wrong per million", 3e6 / RAYS,
+                "0 wrong in " + RAYS + " lie at the foot: below " + Math.round(3e6 / RAYS) + " per million (95 %)");
+        Panel error = new Panel(judged.regime, "ns per ray", "error of t, 99.9 %", 0, "");
+        for (int k = 0; k < judged.methods.size(); k++) {
+            Verdict verdict = judged.verdicts.get(k);
+            Timing timing = timings[first + k];
+            String name = judged.methods.get(k).name;
+            int series = name.equals("ours") ? 4 : k % 4;
+            wrong.point(name, series, timing.median(), timing.low(), timing.high(), verdict.wrongPerMillion());
+            error.point(name, series, timing.median(), timing.low(), timing.high(), verdict.p999());
+            csv.add(String.format(Locale.ROOT, "%s,\"%s\",%s,%.2f,%.2f,%.2f,%d,%d,%.3g", judged.chart, judged.regime,
+                    name.replace(",", ""), timing.median(), timing.low(), timing.high(), verdict.count(), verdict.wrong(),
+                    verdict.p999()));
         }
         figure.add(wrong);
         figure.add(error);
+        return first + judged.methods.size();
     }
 }
