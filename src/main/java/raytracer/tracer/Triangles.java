@@ -95,8 +95,7 @@ final class Triangles extends BoundedSurfaces {
         double ab = side(ax, ay, az, bx, by, bz, dx, dy, dz);
         double bc = side(bx, by, bz, cx, cy, cz, dx, dy, dz);
         double ca = side(cx, cy, cz, ax, ay, az, dx, dy, dz);
-        double least = Math.min(ab, Math.min(bc, ca)), most = Math.max(ab, Math.max(bc, ca));
-        if (least >= 0 || most <= 0) {
+        if (ab >= 0 && bc >= 0 && ca >= 0 || ab <= 0 && bc <= 0 && ca <= 0) {
             return true;
         }
         double a = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
@@ -105,7 +104,7 @@ final class Triangles extends BoundedSurfaces {
         double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
                 + Math.abs(cx - ax) + Math.abs(cy - ay) + Math.abs(cz - az);
         double bound = Rounding.edge(originError, directionError, Math.max(a, Math.max(b, c)), edges);
-        return least >= -bound || most <= bound;
+        return ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound;
     }
 
     /**
