@@ -18,7 +18,7 @@ final class Figure {
             .heading { font-size: 16px; font-weight: bold; }
             .title { font-size: 12px; font-weight: bold; }
             .foot, .note { font-size: 10px; fill: #666; }
-            .label { font-weight: bold; }
+            .label { font-weight: bold; paint-order: stroke; }
             .frame { stroke: #555; fill: none; }
             .grid { stroke: #ddd; fill: none; }
             .band { fill: #2a9d4a; fill-opacity: .13; stroke: none; }
@@ -28,13 +28,13 @@ final class Figure {
             .s0 { fill: #c0392b; stroke: #c0392b; } .s1 { fill: #b9770e; stroke: #b9770e; }
             .s2 { fill: #2471a3; stroke: #2471a3; } .s3 { fill: #7d3c98; stroke: #7d3c98; }
             .s4 { fill: #1e8449; stroke: #1e8449; }
-            text.s0, text.s1, text.s2, text.s3, text.s4 { stroke: none; }
+            text.label { stroke: #fff; stroke-width: 3px; }
             text.s0 { fill: #c0392b; } text.s1 { fill: #b9770e; } text.s2 { fill: #2471a3; }
             text.s3 { fill: #7d3c98; } text.s4 { fill: #1e8449; }
             .page { fill: #fff; }
             @media (prefers-color-scheme: dark) {
             .page { fill: #0d1117; }
-            text { fill: #ddd; } .foot, .note { fill: #999; } .grid { stroke: #333; } .frame { stroke: #999; }
+            text { fill: #ddd; } text.label { stroke: #0d1117; } .foot, .note { fill: #999; } .grid { stroke: #333; } .frame { stroke: #999; }
             .s0 { fill: #ff7b6b; stroke: #ff7b6b; } .s1 { fill: #f0b44c; stroke: #f0b44c; }
             .s2 { fill: #5dade2; stroke: #5dade2; } .s3 { fill: #c39bd3; stroke: #c39bd3; }
             .s4 { fill: #58d68d; stroke: #58d68d; }

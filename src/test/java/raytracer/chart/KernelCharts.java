@@ -231,7 +231,9 @@ final class KernelCharts {
             String name = judged.methods.get(k).name;
             int series = name.equals("ours") ? 4 : k % 4;
             wrong.point(name, series, timing.median(), timing.low(), timing.high(), verdict.wrongPerMillion());
-            error.point(name, series, timing.median(), timing.low(), timing.high(), verdict.p999());
+            if (!Double.isNaN(verdict.p999())) {
+                error.point(name, series, timing.median(), timing.low(), timing.high(), verdict.p999());
+            }
             csv.add(String.format(Locale.ROOT, "%s,\"%s\",%s,%.2f,%.2f,%.2f,%d,%d,%.3g", judged.chart, judged.regime,
                     name.replace(",", ""), timing.median(), timing.low(), timing.high(), verdict.count(), verdict.wrong(),
                     verdict.p999()));

@@ -134,11 +134,18 @@ final class Panel {
                             px(limit) - LEFT, height - TOP - BOTTOM);
                 }
             }
-            for (int e = (int) Math.ceil(x0); e <= x1; e++) {
+            for (int e = (int) Math.ceil(x0); e < x1 + .001; e++) {
                 double x = px(Math.pow(10, e));
                 if (x0 < e) {
                     line("<path class='grid' d='M%.1f %d V%d'/>", x, TOP, height - BOTTOM);
                     text(x, height - BOTTOM + 14, "tick", "middle", power(e));
+                }
+                if (x1 - x0 <= 1 && e < x1) {
+                    for (int step : new int[] {2, 5}) {
+                        double value = step * Math.pow(10, e);
+                        line("<path class='grid' d='M%.1f %d V%d'/>", px(value), TOP, height - BOTTOM);
+                        text(px(value), height - BOTTOM + 14, "tick", "middle", number(value).replace(".0", ""));
+                    }
                 }
             }
             int step = y1 - y0 > 9 ? 2 : 1;

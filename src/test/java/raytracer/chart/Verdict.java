@@ -6,7 +6,7 @@ import java.util.Arrays;
  * How a method's answers compare with exact ones: distances, NaN where nothing is met.
  *
  * @param wrong  answers that miss what is met, meet what is not, or are off by more than a thousandth
- * @param p999   the 99.9th percentile of the relative error of the others' distances
+ * @param p999   the 99.9th percentile of the relative error of the others' distances; NaN if hardly any has one
  */
 record Verdict(int count, int wrong, double p999) {
 
@@ -27,7 +27,7 @@ record Verdict(int count, int wrong, double p999) {
             }
         }
         Arrays.sort(errors, 0, right);
-        return new Verdict(answers.length, wrong, right == 0 ? LEAST_ERROR : errors[(int) (.999 * (right - 1))]);
+        return new Verdict(answers.length, wrong, right < answers.length / 100 ? Double.NaN : errors[(int) (.999 * (right - 1))]);
     }
 
     double wrongPerMillion() {
