@@ -10,10 +10,14 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.scene.Material;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
 import raytracer.text.Scenes;
 
 /** Laws that hold for every scene, whatever its picture is. */
@@ -110,6 +114,46 @@ class LawsTest {
             }
         }
         assertEquals(40 * 30, seen[0]);
+    }
+
+    @Test
+    void isTheSameToTheLastBitWithAndWithoutATree() throws Exception {
+        Random random = new Random(8);
+        List<Shape.Sphere> spheres = new ArrayList<>();
+        for (int i = 0; i < 500; i++) {
+            spheres.add(new Shape.Sphere(new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)),
+                    .05 + random.nextDouble() / 10, Material.DEFAULT));
+        }
+        Bvh tree = BvhBuilder.build(500, Spheres.bounds(spheres), ForkJoinPool.commonPool());
+        List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
+        // Everything beside the tree: every ray tries every sphere.
+        Bvh none = new Bvh(tree.order(), 500, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);
+        Surfaces with = new Spheres(ordered, 0, tree), without = new Spheres(ordered, 0, none);
+        int met = 0;
+        for (int i = 0; i < 5000; i++) {
+            Vector o = new Vector(coordinate(random, 3), coordinate(random, 3), coordinate(random, 3));
+            Vector d = new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)).minus(o).unit();
+            Rays a = nearest(with, tree.order(), o, d), b = nearest(without, tree.order(), o, d);
+            assertEquals(b.hit[0], a.hit[0]);
+            assertEquals(b.distance[0], a.distance[0]);
+            met += a.hit[0] != Rays.NONE ? 1 : 0;
+        }
+        assertTrue(met > 1000, met + " met");
+    }
+
+    private static Rays nearest(Surfaces surfaces, int[] declared, Vector o, Vector d) {
+        Rays rays = new Rays(declared, List.of(surfaces));
+        rays.count = 1;
+        rays.ox[0] = o.x();
+        rays.oy[0] = o.y();
+        rays.oz[0] = o.z();
+        rays.dx[0] = d.x();
+        rays.dy[0] = d.y();
+        rays.dz[0] = d.z();
+        rays.source[0] = Rays.NONE;
+        rays.clearHits();
+        surfaces.findNearest(rays, new BvhWalk());
+        return rays;
     }
 
     @Test
