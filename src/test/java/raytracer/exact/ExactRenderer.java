@@ -199,7 +199,8 @@ public final class ExactRenderer {
             Exact t = along.times(-2);
             return t.high() > EQUAL * size ? t : null;
         }
-        Exact half = square.root();
+        // A tangent touches in one point; the root of what rounding leaves would make two of it.
+        Exact half = square.high() <= EQUAL * size * size ? Exact.ZERO : square.root();
         Exact near = along.negated().minus(half), far = along.negated().plus(half);
         return power.sign() > 0 ? near.sign() > 0 ? near : null : far.sign() > 0 ? far : null;
     }
