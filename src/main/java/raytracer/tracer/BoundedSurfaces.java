@@ -32,8 +32,29 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         return slot >= firstSlot && slot < firstSlot + count;
     }
 
+    /** Offers every ray the surface with this number among these, if it meets it. */
+    abstract void meetAll(Rays rays, int k, Scratch scratch);
+
+    /** Closes every open shadow ray that the surface with this number among these blocks. */
+    abstract void blockAll(Rays rays, ShadowRays shadows, int k, Scratch scratch);
+
     @Override
-    public final void findNearest(Rays rays, BvhWalk walk) {
+    public final void findNearest(Rays rays, Scratch scratch) {
+        for (int k = 0; k < bvh.beside(); k++) {
+            meetAll(rays, k, scratch);
+        }
+        Beam beam = scratch.beam;
+        beam.clear();
+        for (int i = 0; i < rays.count; i++) {
+            beam.add(rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i], rays.reach(i));
+        }
+        if (beam.gather(bvh)) {
+            for (int n = 0; n < beam.count(); n++) {
+                meetAll(rays, beam.thing(n), scratch);
+            }
+            return;
+        }
+        BvhWalk walk = scratch.walk;
         for (int i = 0; i < rays.count; i++) {
             walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]);
             while (walk.nextLeaf(rays.reach(i))) {
@@ -45,9 +66,27 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     @Override
-    public final void block(Rays rays, ShadowRays shadows, BvhWalk walk) {
+    public final void block(Rays rays, ShadowRays shadows, Scratch scratch) {
+        for (int k = 0; k < bvh.beside(); k++) {
+            blockAll(rays, shadows, k, scratch);
+        }
+        Beam beam = scratch.beam;
+        beam.clear();
         for (int i = 0; i < rays.count; i++) {
             if (shadows.open[i]) {
+                beam.add(rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i],
+                        shadows.distance[i]);
+            }
+        }
+        if (beam.gather(bvh)) {
+            for (int n = 0; n < beam.count(); n++) {
+                blockAll(rays, shadows, beam.thing(n), scratch);
+            }
+            return;
+        }
+        for (int i = 0; i < rays.count; i++) {
+            if (shadows.open[i]) {
+                BvhWalk walk = scratch.walk;
                 walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i]);
                 shadows.open[i] = !anyBlocks(rays, shadows, i, walk);
             }

@@ -30,8 +30,6 @@ final class BvhWalk {
     void start(Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz) {
         bvh = tree;
         stacked = 0;
-        first = 0;
-        end = 0;
         if (tree.root() == Bvh.EMPTY) {
             return;
         }
@@ -86,16 +84,12 @@ final class BvhWalk {
     }
 
     /**
-     * Goes to the next leaf, or to the things beside the tree, which come first.
+     * Goes to the next leaf. The things beside the tree are in none.
      *
      * @param limit no box farther away matters, in world space; may shrink from call to call
      * @return false if there is no more
      */
     boolean nextLeaf(double limit) {
-        if (end == 0 && bvh.beside() > 0) {
-            end = bvh.beside();
-            return true;
-        }
         // Rounded up by more than floats round: the padding has room for it.
         float reach = (float) ((limit * bvh.scale() - start) * (1 + 0x1p-22));
         int reachBits = Float.floatToRawIntBits(reach);

@@ -38,7 +38,7 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void findNearest(Rays rays, BvhWalk walk) {
+    public void findNearest(Rays rays, Scratch scratch) {
         for (int k = 0; k < count; k++) {
             for (int i = 0; i < rays.count; i++) {
                 double x = px[k] - rays.ox[i], y = py[k] - rays.oy[i], z = pz[k] - rays.oz[i];
@@ -66,7 +66,7 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void block(Rays rays, ShadowRays shadows, BvhWalk walk) {
+    public void block(Rays rays, ShadowRays shadows, Scratch scratch) {
         Lamp lamp = shadows.lamp;
         for (int k = 0; k < count; k++) {
             double lampX = px[k] - lamp.x(), lampY = py[k] - lamp.y(), lampZ = pz[k] - lamp.z();

@@ -14,6 +14,12 @@ final class Spheres extends BoundedSurfaces {
     /** Numbers of one sphere in {@link #data}: centre and radius. */
     private static final int STRIDE = 4;
 
+    /**
+     * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this passes clear of the sphere, since errors
+     * are smaller for any sphere that is larger than the ray is thick.
+     */
+    private static final double CLEAR = 0.25;
+
     private final double[] data;
 
     /** @param spheres in the order of the tree's leaves */
@@ -69,6 +75,44 @@ final class Spheres extends BoundedSurfaces {
         }
         if (t > 0 && t <= rays.reach(i)) {
             rays.offer(i, slot(k), t);
+        }
+    }
+
+    @Override
+    void meetAll(Rays rays, int k, Scratch scratch) {
+        passBy(rays, rays.dx, rays.dy, rays.dz, k, scratch);
+        double clear = -CLEAR * data[STRIDE * k + 3] * data[STRIDE * k + 3];
+        for (int i = 0; i < rays.count; i++) {
+            if (scratch.square[i] >= clear) {
+                meet(rays, i, k);
+            }
+        }
+    }
+
+    @Override
+    void blockAll(Rays rays, ShadowRays shadows, int k, Scratch scratch) {
+        passBy(rays, shadows.dx, shadows.dy, shadows.dz, k, scratch);
+        double clear = -CLEAR * data[STRIDE * k + 3] * data[STRIDE * k + 3];
+        for (int i = 0; i < rays.count; i++) {
+            if (scratch.square[i] >= clear && shadows.open[i]) {
+                shadows.open[i] = !blocks(rays, shadows, i, k);
+            }
+        }
+    }
+
+    /** Computes for all rays r^2 less the square of the perpendicular, in loops that are vectorised. */
+    private void passBy(Rays rays, double[] dx, double[] dy, double[] dz, int k, Scratch scratch) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = scratch.along, square = scratch.square;
+        int count = rays.count;
+        for (int i = 0; i < count; i++) {
+            along[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
+        }
+        for (int i = 0; i < count; i++) {
+            double ex = ox[i] - cx - along[i] * dx[i];
+            double ey = oy[i] - cy - along[i] * dy[i];
+            double ez = oz[i] - cz - along[i] * dz[i];
+            square[i] = r * r - (ex * ex + ey * ey + ez * ez);
         }
     }
 

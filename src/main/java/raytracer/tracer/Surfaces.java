@@ -7,13 +7,13 @@ package raytracer.tracer;
 sealed interface Surfaces permits Planes, BoundedSurfaces {
 
     /** Offers every ray what it meets among these: {@link Rays#offer}. */
-    void findNearest(Rays rays, BvhWalk walk);
+    void findNearest(Rays rays, Scratch scratch);
 
     /** Bounds the error of the distance at which a ray meets the surface in a slot. */
     double distanceError(Rays rays, int ray, int slot, double t);
 
     /** Closes every open shadow ray that one of these blocks, strictly between its ends. */
-    void block(Rays rays, ShadowRays shadows, BvhWalk walk);
+    void block(Rays rays, ShadowRays shadows, Scratch scratch);
 
     /** Whether a slot is one of these. */
     boolean owns(int slot);

@@ -17,7 +17,7 @@ public final class TileTracer {
     private final List<Lamp> lamps;
     private final int maxDepth;
 
-    private final BvhWalk walk = new BvhWalk();
+    private final Scratch scratch = new Scratch();
     private final Rays rays;
     private final ShadowRays shadows = new ShadowRays();
 
@@ -78,7 +78,7 @@ public final class TileTracer {
     private void findNearest() {
         rays.clearHits();
         for (Surfaces kind : surfaces) {
-            kind.findNearest(rays, walk);
+            kind.findNearest(rays, scratch);
         }
         int kept = 0;
         for (int i = 0; i < rays.count; i++) {
@@ -110,7 +110,7 @@ public final class TileTracer {
                 shadowCount += shadows.open[i] ? 1 : 0;
             }
             for (Surfaces kind : surfaces) {
-                kind.block(rays, shadows, walk);
+                kind.block(rays, shadows, scratch);
             }
             for (int i = 0; i < rays.count; i++) {
                 if (shadows.open[i]) {

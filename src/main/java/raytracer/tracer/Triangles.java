@@ -78,6 +78,20 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
+    void meetAll(Rays rays, int k, Scratch scratch) {
+        for (int i = 0; i < rays.count; i++) {
+            meet(rays, i, k);
+        }
+    }
+
+    @Override
+    void blockAll(Rays rays, ShadowRays shadows, int k, Scratch scratch) {
+        for (int i = 0; i < rays.count; i++) {
+            shadows.open[i] = shadows.open[i] && !blocks(rays, shadows, i, k);
+        }
+    }
+
+    @Override
     public double distanceError(Rays rays, int i, int slot, double t) {
         int at = STRIDE * number(slot);
         double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])

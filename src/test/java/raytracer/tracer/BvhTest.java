@@ -45,6 +45,9 @@ class BvhTest {
         BvhWalk walk = new BvhWalk();
         walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
         BitSet things = new BitSet();
+        for (int k = 0; k < bvh.beside(); k++) {
+            things.set(bvh.order()[k]);
+        }
         while (walk.nextLeaf(limit)) {
             for (int k = walk.first(); k < walk.end(); k++) {
                 assertTrue(!things.get(bvh.order()[k]), "a thing comes once");

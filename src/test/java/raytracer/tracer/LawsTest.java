@@ -152,7 +152,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        surfaces.findNearest(rays, new BvhWalk());
+        surfaces.findNearest(rays, new Scratch());
         return rays;
     }
 

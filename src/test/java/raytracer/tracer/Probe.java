@@ -16,7 +16,7 @@ public final class Probe {
     private final SlotTable slots;
     private final List<Surfaces> surfaces;
     private final Rays rays;
-    private final BvhWalk walk = new BvhWalk();
+    private final Scratch scratch = new Scratch();
 
     /** What a ray met: the shape's number in the order of declaration. */
     public record Meeting(int shape, double distance, Vector point, Vector normal) { }
@@ -61,7 +61,7 @@ public final class Probe {
         shadows.dy[0] = unit.y();
         shadows.dz[0] = unit.z();
         shadows.open[0] = true;
-        surfaces.forEach(kind -> kind.block(rays, shadows, walk));
+        surfaces.forEach(kind -> kind.block(rays, shadows, scratch));
         return shadows.open[0];
     }
 
@@ -88,7 +88,7 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> kind.findNearest(rays, walk));
+        surfaces.forEach(kind -> kind.findNearest(rays, scratch));
         int slot = rays.hit[0];
         if (slot == Rays.NONE) {
             return null;

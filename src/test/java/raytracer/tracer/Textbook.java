@@ -129,11 +129,17 @@ public final class Textbook {
                 material = plane.material();
             }
         }
+        for (int k = 0; k < sphereTree.beside(); k++) {
+            found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
+        }
         walk.start(sphereTree, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
         while (walk.nextLeaf(t)) {
             for (int k = walk.first(); k < walk.end(); k++) {
                 found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
             }
+        }
+        for (int k = 0; k < triangleTree.beside(); k++) {
+            found |= triangle(triangleTree.order()[k], o, d);
         }
         walk.start(triangleTree, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
         while (walk.nextLeaf(t)) {

@@ -1,0 +1,11 @@
+package raytracer.tracer;
+
+/** What one thread needs for looking for surfaces: a walk, a beam, and by ray numbers in between. */
+final class Scratch {
+
+    final BvhWalk walk = new BvhWalk();
+    final Beam beam = new Beam();
+
+    final double[] along = new double[Rays.CAPACITY];
+    final double[] square = new double[Rays.CAPACITY];
+}
