@@ -85,9 +85,14 @@ public final class Image {
      * many colours such as .3 that are half a step but for their own last bit. NaN becomes 0.
      */
     static byte quantise(double c) {
-        double cut = Math.min(1, Math.max(0, c));
-        double steps = 255 * cut;
-        double rest = Math.fma(255, cut, -steps);
+        if (!(c > 0)) {
+            return 0;
+        }
+        if (c >= 1) {
+            return (byte) 255;
+        }
+        double steps = 255 * c;
+        double rest = Math.fma(255, c, -steps);
         int nearest = (int) (steps + 0.5);
         // Exact: both are multiples of the last bit of steps, and close.
         double above = steps - (nearest - 0.5);

@@ -30,29 +30,30 @@ final class Beam {
     private int count;
     private int[] stack = new int[64];
 
-    /** Forgets all rays. */
-    void clear() {
-        Arrays.fill(leastOrigin, Double.POSITIVE_INFINITY);
-        Arrays.fill(greatestOrigin, Double.NEGATIVE_INFINITY);
-        Arrays.fill(leastDirection, Double.POSITIVE_INFINITY);
-        Arrays.fill(greatestDirection, Double.NEGATIVE_INFINITY);
+    /** Takes in rays, the first so many of these arrays, as far as their distances. */
+    void span(int rays, double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz, double[] distance) {
+        span(rays, ox, leastOrigin, greatestOrigin, 0);
+        span(rays, oy, leastOrigin, greatestOrigin, 1);
+        span(rays, oz, leastOrigin, greatestOrigin, 2);
+        span(rays, dx, leastDirection, greatestDirection, 0);
+        span(rays, dy, leastDirection, greatestDirection, 1);
+        span(rays, dz, leastDirection, greatestDirection, 2);
         reach = 0;
+        for (int i = 0; i < rays; i++) {
+            reach = distance[i] > reach ? distance[i] : reach;
+        }
     }
 
-    /** Takes a ray in, as far as some distance. */
-    void add(double ox, double oy, double oz, double dx, double dy, double dz, double distance) {
-        extend(leastOrigin, greatestOrigin, ox, oy, oz);
-        extend(leastDirection, greatestDirection, dx, dy, dz);
-        reach = Math.max(reach, distance);
-    }
-
-    private static void extend(double[] least, double[] greatest, double x, double y, double z) {
-        least[0] = Math.min(least[0], x);
-        least[1] = Math.min(least[1], y);
-        least[2] = Math.min(least[2], z);
-        greatest[0] = Math.max(greatest[0], x);
-        greatest[1] = Math.max(greatest[1], y);
-        greatest[2] = Math.max(greatest[2], z);
+    /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray meets nothing. */
+    private static void span(int count, double[] values, double[] least, double[] greatest, int axis) {
+        double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            double v = values[i];
+            low = v < low ? v : low;
+            high = v > high ? v : high;
+        }
+        least[axis] = low;
+        greatest[axis] = high;
     }
 
     /** Finds the things in the tree that the rays may meet; false if they are too many, or the rays too unlike. */
@@ -105,7 +106,8 @@ final class Beam {
             leastOrigin[axis] = (leastOrigin[axis] - centre[axis]) * bvh.scale();
             greatestOrigin[axis] = (greatestOrigin[axis] - centre[axis]) * bvh.scale();
         }
-        reach *= bvh.scale();
+        // Rounded up by more than hits are compared by; the padding has room for it.
+        reach *= bvh.scale() * (1 + 2 * Rounding.TIE_SIEVE);
     }
 
     /** Whether the rays go the same way along at least one axis, and start near enough. */

@@ -44,10 +44,7 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
             meetAll(rays, k, scratch);
         }
         Beam beam = scratch.beam;
-        beam.clear();
-        for (int i = 0; i < rays.count; i++) {
-            beam.add(rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i], rays.reach(i));
-        }
+        beam.span(rays.count, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.distance);
         if (beam.gather(bvh)) {
             for (int n = 0; n < beam.count(); n++) {
                 meetAll(rays, beam.thing(n), scratch);
@@ -71,13 +68,7 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
             blockAll(rays, shadows, k, scratch);
         }
         Beam beam = scratch.beam;
-        beam.clear();
-        for (int i = 0; i < rays.count; i++) {
-            if (shadows.open[i]) {
-                beam.add(rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i],
-                        shadows.distance[i]);
-            }
-        }
+        beam.span(rays.count, rays.ox, rays.oy, rays.oz, shadows.dx, shadows.dy, shadows.dz, shadows.distance);
         if (beam.gather(bvh)) {
             for (int n = 0; n < beam.count(); n++) {
                 blockAll(rays, shadows, beam.thing(n), scratch);

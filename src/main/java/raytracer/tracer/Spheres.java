@@ -15,8 +15,8 @@ final class Spheres extends BoundedSurfaces {
     private static final int STRIDE = 4;
 
     /**
-     * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this passes clear of the sphere, since errors
-     * are smaller for any sphere that is larger than the ray is thick.
+     * Of r^2: a point whose distance's square exceeds r^2 by more than this is clear of the sphere, and so is a ray whose
+     * perpendicular's does: errors are smaller for any sphere that is larger than the ray is thick.
      */
     private static final double CLEAR = 0.25;
 
@@ -146,34 +146,39 @@ final class Spheres extends BoundedSurfaces {
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double along = x * dx + y * dy + z * dz;
-        double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
-        double square = r * r - (ex * ex + ey * ey + ez * ez);
         double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double originError = rays.originError[i];
-        if (square < 0 && square < -Rounding.sphereSquare(originError, 2 * Rounding.U, reach, r, along)) {
-            return false;
+        int side = 0;
+        if (rays.hit[i] != slot(k)) {
+            double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+            double square = r * r - (ex * ex + ey * ey + ez * ez);
+            if (square < 0 && square < -Rounding.sphereSquare(originError, 2 * Rounding.U, reach, r, along)) {
+                return false;
+            }
+            side = side(rays.ox[i], rays.oy[i], rays.oz[i], originError, k);
         }
-        double power = rays.hit[i] == slot(k)
-                ? 0
-                : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
-        int side = Math.abs(power) <= Rounding.power(originError, r) ? 0 : power > 0 ? 1 : -1;
-        int lampSide = sideOfLamp(shadows.lamp, cx, cy, cz, r);
-        if (side < 0 || lampSide < 0) {
-            return side * lampSide < 0;
+        if (side == 0) {
+            // It must go inwards, and come out again before the light.
+            return along < -Rounding.along(originError, 2 * Rounding.U, reach) && sideOfLamp(shadows.lamp, k) > 0;
         }
-        // Neither is inside: the ray must enter, and if it starts outside do so before the light.
-        return side == 0
-                ? lampSide > 0 && along < -Rounding.along(originError, 2 * Rounding.U, reach)
-                : along < 0 && -along < shadows.distance[i];
+        int lampSide = sideOfLamp(shadows.lamp, k);
+        return side < 0 || lampSide < 0 ? side * lampSide < 0 : along < 0 && -along < shadows.distance[i];
     }
 
-    /** 1 if a light is outside a sphere, -1 inside, 0 on it. */
-    private static int sideOfLamp(Lamp lamp, double cx, double cy, double cz, double r) {
-        if (lamp.directional()) {
+    private int sideOfLamp(Lamp lamp, int k) {
+        return lamp.directional() ? 1 : side(lamp.x(), lamp.y(), lamp.z(), lamp.positionError(), k);
+    }
+
+    /** 1 if a point is outside a sphere, -1 inside, 0 on it. */
+    private int side(double px, double py, double pz, double error, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = px - cx, y = py - cy, z = pz - cz;
+        double square = x * x + y * y + z * z;
+        if (square > r * r * (1 + CLEAR)) {
             return 1;
         }
-        double power = PowerOfPoint.of(lamp.x(), lamp.y(), lamp.z(), cx, cy, cz, r);
-        return Math.abs(power) <= Rounding.power(lamp.positionError(), r) ? 0 : power > 0 ? 1 : -1;
+        double power = PowerOfPoint.of(px, py, pz, cx, cy, cz, r);
+        return Math.abs(power) <= Rounding.power(error, r) ? 0 : power > 0 ? 1 : -1;
     }
 
     @Override
