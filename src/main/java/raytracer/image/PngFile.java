@@ -2,6 +2,7 @@ package raytracer.image;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +18,15 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 public final class PngFile {
 
     private PngFile() { }
+
+    /** Loads the library's encoder, which takes a while the first time: for a thread that has nothing else to do. */
+    public static void prepare() {
+        try (ImageOutputStream nowhere = new MemoryCacheImageOutputStream(OutputStream.nullOutputStream())) {
+            encode(new Image(1, 1), nowhere);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 
     /**
      * Writes a picture to a temporary file beside its place and moves it there.
