@@ -13,6 +13,9 @@ final class BvhBuilder {
     /** Fewer things than this are not worth another task. */
     private static final int PARALLEL_SIZE = 4096;
 
+    /** About: leaves are two thirds full, and a node has three children or four. */
+    private static final int THINGS_PER_NODE = 7;
+
     /** A thing is kept beside the tree if its box is more than this part as wide as all boxes together. */
     private static final double TOO_WIDE = 0.5;
 
@@ -46,7 +49,7 @@ final class BvhBuilder {
             return new Bvh(order, beside, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
         float[] boxes = treeBoxes(order, beside, bounds, new double[] {cx, cy, cz}, scale);
-        Nodes nodes = new Nodes();
+        Nodes nodes = new Nodes(0);
         int root = Bvh.leaf(beside, count - beside);
         if (count - beside > Bvh.LEAF_SIZE) {
             nodes = pool.invoke(new BvhBuilder(order, boxes).new Subtree(new Range(beside, count, 0, null), beside));
@@ -138,7 +141,7 @@ final class BvhBuilder {
 
         @Override
         protected Nodes compute() {
-            Nodes nodes = new Nodes();
+            Nodes nodes = new Nodes(range.size() / THINGS_PER_NODE + 1);
             grow(nodes, range);
             return nodes;
         }

@@ -5,9 +5,15 @@ import java.util.Arrays;
 /** Nodes of a {@link Bvh} in the making: a growing list, into which a finished subtree's can be copied. */
 final class Nodes {
 
-    private float[] boxes = new float[0];
-    private int[] children = new int[0];
+    private float[] boxes;
+    private int[] children;
     private int count;
+
+    /** @param expected how many nodes there will be, about */
+    Nodes(int expected) {
+        boxes = new float[Math.multiplyExact(expected, Bvh.BOX_STRIDE)];
+        children = new int[expected * Bvh.WIDTH];
+    }
 
     /** Adds a node without children; returns its number. */
     int add() {

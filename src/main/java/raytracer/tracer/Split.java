@@ -12,6 +12,9 @@ final class Split {
 
     private static final int BINS = 16;
 
+    /** Ranges shorter than this do with half as many. */
+    private static final int FEW = 24;
+
     private final int[] things;
     private final float[] boxes;
     private final int offset;
@@ -19,6 +22,7 @@ final class Split {
     private final int[] counts = new int[BINS];
     private final float[][] bins = new float[BINS][6];
     private final float[] rightAreas = new float[BINS];
+    private int used;
     private float[] left;
     private float[] right;
 
@@ -43,11 +47,12 @@ final class Split {
         if (!(spread > 0)) {
             return halve(from, to);
         }
-        float binsPerUnit = BINS / spread;
+        used = to - from < FEW ? BINS / 2 : BINS;
+        float binsPerUnit = used / spread;
         fillBins(from, to, axis, least, binsPerUnit);
-        int bin = cheapest();
+        int bin = cheapest(to - from);
         merge(0, bin, left);
-        merge(bin, BINS, right);
+        merge(bin, used, right);
         return partition(from, to, axis, least, binsPerUnit, bin);
     }
 
@@ -84,18 +89,18 @@ final class Split {
 
     /** The least and the greatest centres, doubled: the sums of two opposite sides. */
     private float[] centres(int from, int to) {
-        float[] c = new float[6];
-        clear(c);
+        float leastX = Float.POSITIVE_INFINITY, leastY = leastX, leastZ = leastX;
+        float greatestX = Float.NEGATIVE_INFINITY, greatestY = greatestX, greatestZ = greatestX;
         for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
             float x = boxes[i] + boxes[i + 3], y = boxes[i + 1] + boxes[i + 4], z = boxes[i + 2] + boxes[i + 5];
-            c[0] = Math.min(c[0], x);
-            c[1] = Math.min(c[1], y);
-            c[2] = Math.min(c[2], z);
-            c[3] = Math.max(c[3], x);
-            c[4] = Math.max(c[4], y);
-            c[5] = Math.max(c[5], z);
+            leastX = x < leastX ? x : leastX;
+            leastY = y < leastY ? y : leastY;
+            leastZ = z < leastZ ? z : leastZ;
+            greatestX = x > greatestX ? x : greatestX;
+            greatestY = y > greatestY ? y : greatestY;
+            greatestZ = z > greatestZ ? z : greatestZ;
         }
-        return c;
+        return new float[] {leastX, leastY, leastZ, greatestX, greatestY, greatestZ};
     }
 
     private static int widest(float[] box) {
@@ -103,39 +108,35 @@ final class Split {
         return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     }
 
-    private static int bin(float[] boxes, int box, int axis, float least, float binsPerUnit) {
-        return Math.min(BINS - 1, (int) ((boxes[box + axis] + boxes[box + axis + 3] - least) * binsPerUnit));
+    private int bin(int box, int axis, float least, float binsPerUnit) {
+        return Math.min(used - 1, (int) ((boxes[box + axis] + boxes[box + axis + 3] - least) * binsPerUnit));
     }
 
     private void fillBins(int from, int to, int axis, float least, float binsPerUnit) {
-        Arrays.fill(counts, 0);
-        for (float[] bin : bins) {
-            clear(bin);
+        for (int bin = 0; bin < used; bin++) {
+            counts[bin] = 0;
+            clear(bins[bin]);
         }
         for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
-            int bin = bin(boxes, i, axis, least, binsPerUnit);
+            int bin = bin(i, axis, least, binsPerUnit);
             counts[bin]++;
             extend(bins[bin], boxes, i);
         }
     }
 
     /** The first bin of the right side for which the sum of both sides' count times surface is least. */
-    private int cheapest() {
+    private int cheapest(int all) {
         float[] box = new float[6];
         clear(box);
-        for (int bin = BINS - 1; bin > 0; bin--) {
+        for (int bin = used - 1; bin > 0; bin--) {
             extend(box, bins[bin], 0);
             rightAreas[bin] = area(box);
         }
         clear(box);
-        int all = 0;
-        for (int count : counts) {
-            all += count;
-        }
         int best = 0;
         float least = Float.POSITIVE_INFINITY;
         int before = 0;
-        for (int bin = 1; bin < BINS; bin++) {
+        for (int bin = 1; bin < used; bin++) {
             extend(box, bins[bin - 1], 0);
             before += counts[bin - 1];
             if (before > 0 && before < all) {
@@ -153,10 +154,10 @@ final class Split {
         int i = from;
         int j = to;
         while (true) {
-            while (i < j && bin(boxes, 6 * (i - offset), axis, least, binsPerUnit) < firstRight) {
+            while (i < j && bin(6 * (i - offset), axis, least, binsPerUnit) < firstRight) {
                 i++;
             }
-            while (i < j && bin(boxes, 6 * (j - 1 - offset), axis, least, binsPerUnit) >= firstRight) {
+            while (i < j && bin(6 * (j - 1 - offset), axis, least, binsPerUnit) >= firstRight) {
                 j--;
             }
             if (i == j) {
