@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -47,7 +48,8 @@ final class Job {
             return fail(Main.FAILED, e.getMessage());
         } catch (OutOfMemoryError e) {
             return fail(Main.FAILED, "not enough memory: the scene and its picture need more than the "
-                    + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use; 'java -Xmx4g -jar ...' allows 4 GB");
+                    + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use;"
+                    + " 'java -Xmx4g -jar ...' allows 4 GB");
         } catch (RuntimeException | StackOverflowError e) {
             return fail(Main.FAILED, "a fault in raytracer, please report it: " + e);
         }
@@ -201,7 +203,7 @@ final class Job {
         if (e instanceof AccessDeniedException) {
             return "permission denied";
         }
-        if (e instanceof java.nio.file.FileSystemException system && system.getReason() != null) {
+        if (e instanceof FileSystemException system && system.getReason() != null) {
             return system.getReason();
         }
         return e.getMessage() == null ? e.toString() : e.getMessage();

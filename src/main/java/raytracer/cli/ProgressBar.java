@@ -82,7 +82,8 @@ final class ProgressBar {
 
     static String line(double part, double seconds) {
         int full = (int) (WIDTH * part);
-        String left = part > 0 ? String.format(Locale.ROOT, ", %.0f s left", Math.ceil(seconds * (1 - part) / part)) : "";
+        double secondsLeft = Math.ceil(seconds * (1 - part) / part);
+        String left = part > 0 ? String.format(Locale.ROOT, ", %.0f s left", secondsLeft) : "";
         return String.format(Locale.ROOT, "[%s%s] %3.0f %%%s  ", "#".repeat(full), " ".repeat(WIDTH - full),
                 Math.floor(100 * part), left);
     }

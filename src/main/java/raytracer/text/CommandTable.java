@@ -3,6 +3,7 @@ package raytracer.text;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** The commands of the format by keyword, found without making a string of the word. */
 final class CommandTable<R> {
@@ -57,7 +58,7 @@ final class CommandTable<R> {
         String best = null;
         int least = MOST_EDITS + 1;
         for (Command<R> command : commands) {
-            int edits = edits(word.toLowerCase(java.util.Locale.ROOT), command.keyword);
+            int edits = edits(word.toLowerCase(Locale.ROOT), command.keyword);
             if (edits < least && edits < command.keyword.length() - 1) {
                 least = edits;
                 best = command.keyword;

@@ -1,6 +1,7 @@
 package raytracer.text;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /** The words of one line, read from left to right; a comment ends the line. */
 final class Line {
@@ -97,7 +98,7 @@ final class Line {
     }
 
     boolean wordIs(byte[] ascii) {
-        return java.util.Arrays.equals(bytes, from, to, ascii, 0, ascii.length);
+        return Arrays.equals(bytes, from, to, ascii, 0, ascii.length);
     }
 
     /**

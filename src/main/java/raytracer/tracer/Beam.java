@@ -31,7 +31,8 @@ final class Beam {
     private int[] stack = new int[64];
 
     /** Takes in rays, the first so many of these arrays, as far as their distances. */
-    void span(int rays, double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz, double[] distance) {
+    void span(int rays, double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz,
+            double[] distance) {
         span(rays, ox, leastOrigin, greatestOrigin, 0);
         span(rays, oy, leastOrigin, greatestOrigin, 1);
         span(rays, oz, leastOrigin, greatestOrigin, 2);

@@ -3,8 +3,8 @@ package raytracer.tracer;
 import java.util.Arrays;
 
 /**
- * One ray's way through a {@link Bvh}: the leaves whose boxes it meets, nearest boxes first. One object serves ray after
- * ray.
+ * One ray's way through a {@link Bvh}: the leaves whose boxes it meets, nearest boxes first. One object serves ray
+ * after ray.
  */
 final class BvhWalk {
 

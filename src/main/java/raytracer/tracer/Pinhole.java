@@ -23,8 +23,8 @@ final class Pinhole {
         backward = camera.backward();
         right = camera.right();
         up = backward.cross(right);
-        // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose tangent
-        // is rational (Niven 1956), so that rays can meet edges exactly; radians would miss it by a bit.
+        // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose
+        // tangent is rational (Niven 1956), so that rays can meet edges exactly; radians would miss it by a bit.
         halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
     }
 

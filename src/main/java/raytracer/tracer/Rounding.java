@@ -41,7 +41,7 @@ final class Rounding {
 
     /**
      * Bounds the error of direction . normal, of unit vectors: 4u from the normal, products and sums, and the
-     * direction's own. A ray whose cosine is not above it counts as parallel to the plane, as not even the sign is known.
+     * direction's own. A ray whose cosine is not above it counts as parallel to the plane: not even the sign is known.
      *
      * @param directionError of each coordinate of the direction
      */
@@ -97,9 +97,9 @@ final class Rounding {
     }
 
     /**
-     * Bounds the error of r^2 - p^2, p being the perpendicular from the centre to the ray: each of its coordinates rounds
-     * by 3u of the offset and is off as the ray is at its foot, so the difference is off by 2r times that and 2u r^2. (As
-     * far as r and p are alike: where they are not, the sign is beyond doubt.)
+     * Bounds the error of r^2 - p^2, p being the perpendicular from the centre to the ray: each of its coordinates
+     * rounds by 3u of the offset and is off as the ray is at its foot, so the difference is off by 2r times that and
+     * 2u r^2. (As far as r and p are alike: where they are not, the sign is beyond doubt.)
      */
     static double sphereSquare(double originError, double directionError, double reach, double radius, double along) {
         double foot = DIAGONAL * (originError + directionError * Math.abs(along));
@@ -107,9 +107,9 @@ final class Rounding {
     }
 
     /**
-     * Bounds the error of the distance at which a ray meets a sphere. Half the chord and the distance to its middle round
-     * by what their terms do; a distance that is the power over their sum only in proportion. Where the ray is off by
-     * some length, it meets the sphere off by that over the cosine, which is half the chord over the radius.
+     * Bounds the error of the distance at which a ray meets a sphere. Half the chord and the distance to its middle
+     * round by what their terms do; a distance that is the power over their sum only in proportion. Where the ray is
+     * off by some length, it meets the sphere off by that over the cosine, which is half the chord over the radius.
      *
      * @param half  half the chord, the root of r^2 - p^2
      * @param along direction . (origin - centre)

@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
@@ -53,9 +54,9 @@ public final class TileTracer {
      * @param sink gets every pixel of the rectangle once
      */
     public void trace(int left, int top, int columns, int rows, PixelSink sink) {
-        java.util.Arrays.fill(red, 0);
-        java.util.Arrays.fill(green, 0);
-        java.util.Arrays.fill(blue, 0);
+        Arrays.fill(red, 0);
+        Arrays.fill(green, 0);
+        Arrays.fill(blue, 0);
         pinhole.aim(rays, left, top, columns, rows);
         primaryCount += rays.count;
         for (int depth = 1; rays.count > 0; depth++) {
@@ -175,8 +176,8 @@ public final class TileTracer {
     }
 
     /**
-     * x to the s, x from 0 to 1. Whole exponents are multiplied out: that rounds by at most 2u s, which is what an error
-     * of x by u grows to anyway, and takes a third of the library's time.
+     * x to the s, x from 0 to 1. Whole exponents are multiplied out: that rounds by at most 2u s, no more than what an
+     * error of x by 2u grows to.
      */
     private static double power(double x, double s) {
         int n = (int) s;

@@ -6,8 +6,8 @@ import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Scene;
 
 /**
- * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size. Immutable;
- * threads share it, and each traces with a {@link TileTracer} of its own.
+ * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size.
+ * Immutable; threads share it, and each traces with a {@link TileTracer} of its own.
  */
 public final class Tracer {
 

@@ -100,7 +100,7 @@ final class Triangles extends BoundedSurfaces {
         return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach, t, cosine);
     }
 
-    /** Whether the line of a ray passes a triangle's three edges on the same side, or on them as far as one can tell. */
+    /** Whether the line of a ray passes a triangle's edges all on one side, or on them as far as one can tell. */
     private boolean passesWithin(int at, double ox, double oy, double oz, double originError,
             double dx, double dy, double dz, double directionError) {
         double ax = data[at] - ox, ay = data[at + 1] - oy, az = data[at + 2] - oz;

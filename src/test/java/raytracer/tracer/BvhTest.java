@@ -18,7 +18,7 @@ import raytracer.scene.Vector;
 class BvhTest {
 
     /** Cubes as things: six numbers each. */
-    private static double[][] cubes(int count, double spread, double size, double offset, long seed) {
+    static double[][] cubes(int count, double spread, double size, double offset, long seed) {
         Random random = new Random(seed);
         double[][] cubes = new double[count][6];
         for (double[] cube : cubes) {
@@ -32,7 +32,7 @@ class BvhTest {
         return cubes;
     }
 
-    private static Bvh build(double[][] boxes, int threads) {
+    static Bvh build(double[][] boxes, int threads) {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
             return BvhBuilder.build(boxes.length, (k, box) -> System.arraycopy(boxes[k], 0, box, 0, 6), pool);
@@ -58,7 +58,7 @@ class BvhTest {
     }
 
     /** Whether a ray meets a box, shrunk by a trifle so that rounding here does not matter. */
-    private static boolean meets(double[] box, Vector o, Vector d, double limit) {
+    static boolean meets(double[] box, Vector o, Vector d, double limit) {
         double[] os = {o.x(), o.y(), o.z()}, ds = {d.x(), d.y(), d.z()};
         double near = 0, far = limit;
         for (int axis = 0; axis < 3; axis++) {
