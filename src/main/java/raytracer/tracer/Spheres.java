@@ -100,7 +100,7 @@ final class Spheres extends BoundedSurfaces {
         }
     }
 
-    /** Computes for all rays r^2 less the square of the perpendicular, in loops that are vectorised. */
+    /** Computes for all rays r^2 less the square of the perpendicular, in short loops over arrays that C2 can vectorise. */
     private void passBy(Rays rays, double[] dx, double[] dy, double[] dz, int k, Scratch scratch) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = scratch.along, square = scratch.square;

@@ -132,7 +132,7 @@ final class LeavingChart {
 
     private static double[] ours() throws Exception {
         Random random = new Random(1);
-        int falseShadows = 0, missed = 0;
+        int falseShadows = 0, missed = 0, tried = 0;
         for (int i = 0; i < CASES; i++) {
             Case c = new Case(random);
             String own = "sphere " + c.centre.x() + " " + c.centre.y() + " " + c.centre.z() + " " + c.radius + "\n";
@@ -141,11 +141,13 @@ final class LeavingChart {
             falseShadows += alone.continueTowards(c.out) == null ? 0 : 1;
             Vector b = c.contact(p);
             Probe both = new Probe(own + "sphere " + b.x() + " " + b.y() + " " + b.z() + " " + c.radius + "\n");
+            // Where the ball hides the point from the eye there is nothing to leave.
             if (both.shoot(c.eye, c.in).shape() == 0) {
+                tried++;
                 Probe.Meeting m = both.continueTowards(c.out);
                 missed += m != null && m.shape() == 1 && m.distance() < c.radius ? 0 : 1;
             }
         }
-        return new double[] {1e6 * falseShadows / CASES, 1e6 * missed / CASES};
+        return new double[] {1e6 * falseShadows / CASES, 1e6 * missed / tried};
     }
 }
