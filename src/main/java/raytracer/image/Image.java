@@ -92,11 +92,10 @@ public final class Image {
             return (byte) 255;
         }
         double steps = 255 * c;
-        double rest = Math.fma(255, c, -steps);
         int nearest = (int) (steps + 0.5);
         // Exact: both are multiples of the last bit of steps, and close.
         double above = steps - (nearest - 0.5);
-        return (byte) (above < 0 || above == 0 && rest < 0 ? nearest - 1 : nearest);
+        return (byte) (above > 0 || above == 0 && Math.fma(255, c, -steps) >= 0 ? nearest : nearest - 1);
     }
 
     /** The same bytes as the standard library's picture. */

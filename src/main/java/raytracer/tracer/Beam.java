@@ -30,25 +30,57 @@ final class Beam {
     private int count;
     private int[] stack = new int[64];
 
-    /** Takes in rays, the first so many of these arrays, as far as their distances. */
-    void span(int rays, double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz,
-            double[] distance) {
-        span(rays, ox, leastOrigin, greatestOrigin, 0);
-        span(rays, oy, leastOrigin, greatestOrigin, 1);
-        span(rays, oz, leastOrigin, greatestOrigin, 2);
-        span(rays, dx, leastDirection, greatestDirection, 0);
-        span(rays, dy, leastDirection, greatestDirection, 1);
-        span(rays, dz, leastDirection, greatestDirection, 2);
+    /** Takes in a tile's rays, from one index to another, as far as their distances. */
+    void take(Rays rays, int from, int to) {
+        if (rays.leaveEye) {
+            point(rays.ox[from], rays.oy[from], rays.oz[from], leastOrigin, greatestOrigin);
+        } else {
+            span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
+        }
+        span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
         reach = 0;
-        for (int i = 0; i < rays; i++) {
-            reach = distance[i] > reach ? distance[i] : reach;
+        for (int i = from; i < to; i++) {
+            reach = rays.distance[i] > reach ? rays.distance[i] : reach;
         }
     }
 
+    /**
+     * Takes in the ways from where rays have arrived to a lamp. From a lamp at a point they are taken backwards, as
+     * the beam that starts as a point is narrower; distances are then in parts of the way.
+     */
+    void take(Rays rays, Lamp lamp, int from, int to) {
+        span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
+        if (lamp.directional()) {
+            point(lamp.x(), lamp.y(), lamp.z(), leastDirection, greatestDirection);
+            reach = Double.POSITIVE_INFINITY;
+            return;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            double position = axis == 0 ? lamp.x() : axis == 1 ? lamp.y() : lamp.z();
+            leastDirection[axis] = leastOrigin[axis] - position;
+            greatestDirection[axis] = greatestOrigin[axis] - position;
+            leastOrigin[axis] = position;
+            greatestOrigin[axis] = position;
+        }
+        reach = 1;
+    }
+
+    private static void point(double x, double y, double z, double[] least, double[] greatest) {
+        least[0] = greatest[0] = x;
+        least[1] = greatest[1] = y;
+        least[2] = greatest[2] = z;
+    }
+
+    private static void span(double[] x, double[] y, double[] z, int from, int to, double[] least, double[] greatest) {
+        span(x, from, to, least, greatest, 0);
+        span(y, from, to, least, greatest, 1);
+        span(z, from, to, least, greatest, 2);
+    }
+
     /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray meets nothing. */
-    private static void span(int count, double[] values, double[] least, double[] greatest, int axis) {
+    private static void span(double[] values, int from, int to, double[] least, double[] greatest, int axis) {
         double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
+        for (int i = from; i < to; i++) {
             double v = values[i];
             low = v < low ? v : low;
             high = v > high ? v : high;

@@ -32,22 +32,22 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         return slot >= firstSlot && slot < firstSlot + count;
     }
 
-    /** Offers every ray the surface with this number among these, if it meets it. */
-    abstract void meetAll(Rays rays, int k, Scratch scratch);
+    /** Offers rays, from one index to another, the surface with this number among these, if it meets it. */
+    abstract void meetAll(Rays rays, int from, int to, int k, Scratch scratch);
 
-    /** Closes every open shadow ray that the surface with this number among these blocks. */
-    abstract void blockAll(Rays rays, ShadowRays shadows, int k, Scratch scratch);
+    /** Closes every open shadow ray from one index to another that the surface with this number among these blocks. */
+    abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch);
 
     @Override
     public final void findNearest(Rays rays, Scratch scratch) {
         for (int k = 0; k < bvh.beside(); k++) {
-            meetAll(rays, k, scratch);
+            meetAll(rays, 0, rays.count, k, scratch);
         }
         Beam beam = scratch.beam;
-        beam.span(rays.count, rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.distance);
+        beam.take(rays, 0, rays.count);
         if (beam.gather(bvh)) {
             for (int n = 0; n < beam.count(); n++) {
-                meetAll(rays, beam.thing(n), scratch);
+                meetAll(rays, 0, rays.count, beam.thing(n), scratch);
             }
             return;
         }
@@ -63,19 +63,19 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     @Override
-    public final void block(Rays rays, ShadowRays shadows, Scratch scratch) {
+    public final void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
         for (int k = 0; k < bvh.beside(); k++) {
-            blockAll(rays, shadows, k, scratch);
+            blockAll(rays, shadows, from, to, k, scratch);
         }
         Beam beam = scratch.beam;
-        beam.span(rays.count, rays.ox, rays.oy, rays.oz, shadows.dx, shadows.dy, shadows.dz, shadows.distance);
+        beam.take(rays, shadows.lamp, from, to);
         if (beam.gather(bvh)) {
             for (int n = 0; n < beam.count(); n++) {
-                blockAll(rays, shadows, beam.thing(n), scratch);
+                blockAll(rays, shadows, from, to, beam.thing(n), scratch);
             }
             return;
         }
-        for (int i = 0; i < rays.count; i++) {
+        for (int i = from; i < to; i++) {
             if (shadows.open[i]) {
                 BvhWalk walk = scratch.walk;
                 walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i]);

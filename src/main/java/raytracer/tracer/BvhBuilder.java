@@ -13,8 +13,11 @@ final class BvhBuilder {
     /** Fewer things than this are not worth another task. */
     private static final int PARALLEL_SIZE = 4096;
 
-    /** About: leaves are two thirds full, and a node has three children or four. */
-    private static final int THINGS_PER_NODE = 7;
+    /** About: a node has three children or four, and one of them is a node itself. */
+    private static final double LEAVES_PER_NODE = 2.5;
+
+    /** About how full leaves are. */
+    private static final double LEAF_FILL = 0.7;
 
     /** A thing is kept beside the tree if its box is more than this part as wide as all boxes together. */
     private static final double TOO_WIDE = 0.5;
@@ -24,13 +27,16 @@ final class BvhBuilder {
 
     private final int[] things;
     private final float[] boxes;
+    private final int leafSize;
 
-    private BvhBuilder(int[] things, float[] boxes) {
+    private BvhBuilder(int[] things, float[] boxes, int leafSize) {
         this.things = things;
         this.boxes = boxes;
+        this.leafSize = leafSize;
     }
 
-    static Bvh build(int count, Bounds bounds, ForkJoinPool pool) {
+    /** @param leafSize the most things in a leaf, at most {@link Bvh#LEAF_SIZE} */
+    static Bvh build(int count, Bounds bounds, int leafSize, ForkJoinPool pool) {
         int[] order = new int[count];
         for (int i = 0; i < count; i++) {
             order[i] = i;
@@ -51,8 +57,8 @@ final class BvhBuilder {
         float[] boxes = treeBoxes(order, beside, bounds, new double[] {cx, cy, cz}, scale);
         Nodes nodes = new Nodes(0);
         int root = Bvh.leaf(beside, count - beside);
-        if (count - beside > Bvh.LEAF_SIZE) {
-            nodes = pool.invoke(new BvhBuilder(order, boxes).new Subtree(new Range(beside, count, 0, null), beside));
+        if (count - beside > leafSize) {
+            nodes = pool.invoke(new BvhBuilder(order, boxes, leafSize).new Subtree(new Range(beside, count, 0, null), beside));
             root = 0;
         }
         return new Bvh(order, beside, nodes.boxes(), nodes.children(), root, cx, cy, cz, scale);
@@ -141,7 +147,7 @@ final class BvhBuilder {
 
         @Override
         protected Nodes compute() {
-            Nodes nodes = new Nodes(range.size() / THINGS_PER_NODE + 1);
+            Nodes nodes = new Nodes((int) (range.size() / (LEAVES_PER_NODE * leafSize * LEAF_FILL)) + 1);
             grow(nodes, range);
             return nodes;
         }
@@ -159,7 +165,7 @@ final class BvhBuilder {
                 }
             }
             for (int k = 0; k < count; k++) {
-                int child = parts[k].size() <= Bvh.LEAF_SIZE ? Bvh.leaf(parts[k].from, parts[k].size())
+                int child = parts[k].size() <= leafSize ? Bvh.leaf(parts[k].from, parts[k].size())
                         : tasks[k] != null ? nodes.append(tasks[k].join()) : grow(nodes, parts[k]);
                 nodes.setChild(node, k, child);
             }
@@ -173,7 +179,7 @@ final class BvhBuilder {
             while (count < Bvh.WIDTH) {
                 int widest = -1;
                 for (int k = 0; k < count; k++) {
-                    if (parts[k].size() > Bvh.LEAF_SIZE && (widest < 0 || parts[k].area > parts[widest].area)) {
+                    if (parts[k].size() > leafSize && (widest < 0 || parts[k].area > parts[widest].area)) {
                         widest = k;
                     }
                 }

@@ -1,10 +1,11 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 
-/** The rays of a scene's camera, each through the centre of its pixel. */
+/** The rays of a scene's camera. */
 final class Pinhole {
 
     private final int width;
@@ -28,36 +29,49 @@ final class Pinhole {
         halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
     }
 
-    /** Makes the rays of a rectangle of pixels, row by row: ray and pixel numbers agree. */
-    void aim(Rays rays, int left, int top, int columns, int rows) {
-        rays.count = columns * rows;
-        for (int row = 0; row < rows; row++) {
-            // The pixel's centre in half pixels from the picture's: exact in a double for any size of an int.
-            double b = halfHeight * ((height - 1.0 - 2.0 * (top + row)) / height);
-            for (int column = 0; column < columns; column++) {
-                double a = halfHeight * ((2.0 * (left + column) + 1.0 - width) / height);
-                aim(rays, row * columns + column, a, b);
-            }
+    /**
+     * Makes rays through points of the picture: ray and pixel numbers agree.
+     *
+     * @param x of each point, in pixels from the left; y from the top
+     */
+    void aim(Rays rays, double[] x, double[] y, int count) {
+        rays.count = count;
+        rays.leaveEye = true;
+        inUnitsOfDistance(x, y, rays.nx, rays.ny, count);
+        component(rays.nx, rays.ny, right.x(), up.x(), backward.x(), rays.dx, count);
+        component(rays.nx, rays.ny, right.y(), up.y(), backward.y(), rays.dy, count);
+        component(rays.nx, rays.ny, right.z(), up.z(), backward.z(), rays.dz, count);
+        Passes.length(rays.dx, rays.dy, rays.dz, rays.nz, 0, count);
+        Passes.divide(rays.dx, rays.dy, rays.dz, rays.nz, 0, count);
+        Arrays.fill(rays.directionError, 0, count, Rounding.EYE_DIRECTION);
+        Arrays.fill(rays.ox, 0, count, eye.x());
+        Arrays.fill(rays.oy, 0, count, eye.y());
+        Arrays.fill(rays.oz, 0, count, eye.z());
+        Arrays.fill(rays.originError, 0, count, 0);
+        Arrays.fill(rays.source, 0, count, Rays.NONE);
+        Arrays.fill(rays.red, 0, count, 1);
+        Arrays.fill(rays.green, 0, count, 1);
+        Arrays.fill(rays.blue, 0, count, 1);
+        for (int i = 0; i < count; i++) {
+            rays.pixel[i] = i;
         }
     }
 
-    private void aim(Rays rays, int i, double a, double b) {
-        double x = a * right.x() + b * up.x() - backward.x();
-        double y = a * right.y() + b * up.y() - backward.y();
-        double z = a * right.z() + b * up.z() - backward.z();
-        double length = Math.sqrt(x * x + y * y + z * z);
-        rays.dx[i] = x / length;
-        rays.dy[i] = y / length;
-        rays.dz[i] = z / length;
-        rays.directionError[i] = Rounding.EYE_DIRECTION;
-        rays.ox[i] = eye.x();
-        rays.oy[i] = eye.y();
-        rays.oz[i] = eye.z();
-        rays.originError[i] = 0;
-        rays.source[i] = Rays.NONE;
-        rays.pixel[i] = i;
-        rays.red[i] = 1;
-        rays.green[i] = 1;
-        rays.blue[i] = 1;
+    /** Twice the position less the size is exact for pixels' centres in a picture of any size. */
+    private void inUnitsOfDistance(double[] x, double[] y, double[] a, double[] b, int count) {
+        double w = width, h = height;
+        for (int i = 0; i < count; i++) {
+            a[i] = halfHeight * ((2 * x[i] - w) / h);
+        }
+        for (int i = 0; i < count; i++) {
+            b[i] = halfHeight * ((h - 2 * y[i]) / h);
+        }
+    }
+
+    private static void component(double[] a, double[] b, double right, double up, double backward, double[] out,
+            int count) {
+        for (int i = 0; i < count; i++) {
+            out[i] = a[i] * right + b[i] * up - backward;
+        }
     }
 }

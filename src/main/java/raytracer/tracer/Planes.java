@@ -66,14 +66,14 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void block(Rays rays, ShadowRays shadows, Scratch scratch) {
+    public void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
         Lamp lamp = shadows.lamp;
         for (int k = 0; k < count; k++) {
             double lampX = px[k] - lamp.x(), lampY = py[k] - lamp.y(), lampZ = pz[k] - lamp.z();
             double lampOffset = lampX * nx[k] + lampY * ny[k] + lampZ * nz[k];
             double lampBound = Rounding.planeOffset(
                     lamp.positionError(), Math.abs(lampX) + Math.abs(lampY) + Math.abs(lampZ));
-            for (int i = 0; i < rays.count; i++) {
+            for (int i = from; i < to; i++) {
                 if (!shadows.open[i] || rays.hit[i] == firstSlot + k) {
                     continue;
                 }
@@ -98,9 +98,11 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int i) {
-        int k = rays.hit[i] - firstSlot;
-        double reach = Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
-        rays.arriveOnPlane(i, reach, nx[k], ny[k], nz[k]);
+    public void arrive(Rays rays, int from, int to, Scratch scratch) {
+        for (int i = from; i < to; i++) {
+            int k = rays.hit[i] - firstSlot;
+            double reach = Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
+            rays.arriveOnPlane(i, reach, nx[k], ny[k], nz[k]);
+        }
     }
 }

@@ -19,6 +19,9 @@ final class Rays {
 
     int count;
 
+    /** Whether all start at the eye: then they have their origin in common, and leave no surface. */
+    boolean leaveEye;
+
     final int[] pixel = new int[CAPACITY];
 
     // Where each starts, and a bound on the error of each coordinate; the slot of the surface it leaves.
@@ -48,6 +51,13 @@ final class Rays {
     final double[] red = new double[CAPACITY];
     final double[] green = new double[CAPACITY];
     final double[] blue = new double[CAPACITY];
+
+    // What moves with a ray.
+    private final double[][] ofAnyRay = {dx, dy, dz, distance};
+    private final double[][] ofLaterRays = {ox, oy, oz, originError, directionError, red, green, blue};
+    private final double[][] ofArrivedRays = {nx, ny, nz, normalError};
+    private final double[] selected = new double[CAPACITY];
+    private final int[] selectedInts = new int[CAPACITY];
 
     /** By slot: the surface's number in the order of declaration. */
     private final int[] declared;
@@ -118,42 +128,57 @@ final class Rays {
         normalError[ray] = 2 * Rounding.U;
     }
 
-    /** Turns a ray that has arrived into its mirror image: d - 2 (n . d) n. */
-    void mirror(int ray) {
-        double twice = 2 * (dx[ray] * nx[ray] + dy[ray] * ny[ray] + dz[ray] * nz[ray]);
-        double x = dx[ray] - twice * nx[ray], y = dy[ray] - twice * ny[ray], z = dz[ray] - twice * nz[ray];
+    /** Turns all rays, which have arrived, into their mirror images: d - 2 (n . d) n. */
+    void mirror(Scratch scratch) {
+        Passes.dot(dx, dy, dz, nx, ny, nz, scratch.along, 0, count);
+        Passes.subtractTwice(dx, scratch.along, nx, 0, count);
+        Passes.subtractTwice(dy, scratch.along, ny, 0, count);
+        Passes.subtractTwice(dz, scratch.along, nz, 0, count);
         // Its length is 1 but for rounding, which would add up from mirror to mirror.
-        double length = Math.sqrt(x * x + y * y + z * z);
-        dx[ray] = x / length;
-        dy[ray] = y / length;
-        dz[ray] = z / length;
-        directionError[ray] += 4 * normalError[ray] + 4 * Rounding.U;
-        source[ray] = hit[ray];
+        Passes.length(dx, dy, dz, scratch.square, 0, count);
+        Passes.divide(dx, dy, dz, scratch.square, 0, count);
+        for (int i = 0; i < count; i++) {
+            directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
+        }
+        System.arraycopy(hit, 0, source, 0, count);
     }
 
-    /** Keeps a ray by moving it to a place at or before its own. */
-    void move(int from, int to) {
-        if (from == to) {
-            return;
+    /** Keeps some of the rays that have met something, in a new order; nothing is known yet of where they arrive. */
+    void select(int[] order, int kept) {
+        if (!leaveEye) {
+            // From the eye, these are the same for all.
+            select(source, order, kept);
+            for (double[] quantity : ofLaterRays) {
+                select(quantity, order, kept);
+            }
         }
-        pixel[to] = pixel[from];
-        ox[to] = ox[from];
-        oy[to] = oy[from];
-        oz[to] = oz[from];
-        originError[to] = originError[from];
-        source[to] = source[from];
-        dx[to] = dx[from];
-        dy[to] = dy[from];
-        dz[to] = dz[from];
-        directionError[to] = directionError[from];
-        hit[to] = hit[from];
-        distance[to] = distance[from];
-        nx[to] = nx[from];
-        ny[to] = ny[from];
-        nz[to] = nz[from];
-        normalError[to] = normalError[from];
-        red[to] = red[from];
-        green[to] = green[from];
-        blue[to] = blue[from];
+        select(pixel, order, kept);
+        select(hit, order, kept);
+        for (double[] quantity : ofAnyRay) {
+            select(quantity, order, kept);
+        }
+        count = kept;
+    }
+
+    /** Keeps some of the rays that have arrived, in a new order. */
+    void selectArrived(int[] order, int kept) {
+        select(order, kept);
+        for (double[] quantity : ofArrivedRays) {
+            select(quantity, order, kept);
+        }
+    }
+
+    private void select(double[] quantity, int[] order, int kept) {
+        for (int i = 0; i < kept; i++) {
+            selected[i] = quantity[order[i]];
+        }
+        System.arraycopy(selected, 0, quantity, 0, kept);
+    }
+
+    private void select(int[] quantity, int[] order, int kept) {
+        for (int i = 0; i < kept; i++) {
+            selectedInts[i] = quantity[order[i]];
+        }
+        System.arraycopy(selectedInts, 0, quantity, 0, kept);
     }
 }

@@ -88,6 +88,16 @@ final class Rounding {
     }
 
     /**
+     * Bounds the error of the power of a point as it is computed without {@link PowerOfPoint}: 2u from differences, u
+     * from squares and 3u from sums.
+     *
+     * @param square |point - centre|^2
+     */
+    static double plainPower(double square, double radius) {
+        return 8 * U * (square + radius * radius);
+    }
+
+    /**
      * Bounds the error of direction . (origin - centre): 3u of the offset, and the errors of both.
      *
      * @param reach |x| + |y| + |z| of origin - centre
@@ -125,19 +135,32 @@ final class Rounding {
 
     /** Bounds the error of a root of a square that is off by so much. */
     private static double root(double square, double root) {
-        return root * root > square ? square / (2 * root) : Math.sqrt(square);
+        return Math.min(square / (2 * root), Math.sqrt(square));
     }
 
     /**
-     * Bounds the error in each coordinate of a computed point of a sphere, centre + radius * normal, as against the
-     * point where the same ray meets it exactly: the distance's error, 2u of the distance from the direction, and 6u of
-     * the radius and u of the centre from the normal and the sum.
+     * Bounds the error in each coordinate of computed points of spheres, centre + radius * normal, as against the
+     * points where the same rays meet them exactly: the {@linkplain #sphereDistance distance}'s error, 2u of the
+     * distance from the direction, and 6u of the radius and u of the centre from the normal and the sum.
      *
      * @param centre |x| + |y| + |z| of the centre
      */
-    static double spherePosition(
-            double centre, double reach, double radius, double half, double along, double distance) {
-        return sphereDistance(0, EYE_DIRECTION, reach, radius, half, along, distance)
-                + U * (2 * distance + 6 * radius + centre);
+    static void spherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
+            double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            double half = Math.abs(distance[i] + along[i]);
+            double square = 2 * U * radius[i] * (3 * reach[i] + radius[i]);
+            double sum = half + Math.abs(along[i]);
+            out[i] = (Math.min(square / (2 * half), Math.sqrt(square)) + 3 * U * (reach[i] + sum))
+                    * Math.min(1, distance[i] / sum);
+        }
+        for (int i = from; i < to; i++) {
+            double half = Math.abs(distance[i] + along[i]);
+            double square = 2 * DIAGONAL * EYE_DIRECTION * radius[i] * distance[i];
+            out[i] += Math.min(square / (2 * half), Math.sqrt(square));
+        }
+        for (int i = from; i < to; i++) {
+            out[i] += U * (3 * distance[i] + 6 * radius[i] + centre[i]);
+        }
     }
 }

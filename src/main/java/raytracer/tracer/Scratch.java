@@ -8,4 +8,10 @@ final class Scratch {
 
     final double[] along = new double[Rays.CAPACITY];
     final double[] square = new double[Rays.CAPACITY];
+    final double[] reach = new double[Rays.CAPACITY];
+    final double[] distance = new double[Rays.CAPACITY];
+    final double[] centreX = new double[Rays.CAPACITY];
+    final double[] centreY = new double[Rays.CAPACITY];
+    final double[] centreZ = new double[Rays.CAPACITY];
+    final double[] radius = new double[Rays.CAPACITY];
 }

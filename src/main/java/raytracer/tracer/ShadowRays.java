@@ -1,5 +1,7 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /**
  * From each point that a tile's rays have reached, the way to one light. Ray i here starts where ray i of {@link Rays}
  * has arrived.
@@ -21,4 +23,21 @@ final class ShadowRays {
 
     /** The light that the rays go to. */
     Lamp lamp;
+
+    /** Sets out to a lamp from where rays, from one index to another, have arrived. */
+    void aim(Rays rays, Lamp to, int from, int end) {
+        lamp = to;
+        if (to.directional()) {
+            Arrays.fill(dx, from, end, to.x());
+            Arrays.fill(dy, from, end, to.y());
+            Arrays.fill(dz, from, end, to.z());
+            Arrays.fill(distance, from, end, Double.POSITIVE_INFINITY);
+            return;
+        }
+        Passes.subtract(to.x(), rays.ox, dx, from, end);
+        Passes.subtract(to.y(), rays.oy, dy, from, end);
+        Passes.subtract(to.z(), rays.oz, dz, from, end);
+        Passes.length(dx, dy, dz, distance, from, end);
+        Passes.divide(dx, dy, dz, distance, from, end);
+    }
 }

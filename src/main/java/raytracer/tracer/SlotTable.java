@@ -6,11 +6,7 @@ import raytracer.scene.Material;
  * What is known of every surface by its slot.
  *
  * @param declared its number in the order of declaration
- * @param material what it is made of
+ * @param look     which look it has; surfaces of one look are of one kind and one material
+ * @param material by look
  */
-record SlotTable(int[] declared, Material[] material) {
-
-    SlotTable(int count) {
-        this(new int[count], new Material[count]);
-    }
-}
+record SlotTable(int[] declared, int[] look, Material[] material) { }

@@ -11,12 +11,14 @@ import raytracer.scene.Vector;
  */
 final class Spheres extends BoundedSurfaces {
 
+    /** Of the tree: a ray tries a box much faster than a sphere. */
+    static final int LEAF_SIZE = 1;
+
     /** Numbers of one sphere in {@link #data}: centre and radius. */
     private static final int STRIDE = 4;
 
     /**
-     * Of r^2: a point whose distance's square exceeds r^2 by more than this is clear of the sphere, and so is a ray
-     * whose perpendicular's does: errors are smaller for any sphere that is larger than the ray is thick.
+     * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this is clear of the sphere: errors are smaller for any sphere that is larger than the ray is thick.
      */
     private static final double CLEAR = 0.25;
 
@@ -79,40 +81,77 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    void meetAll(Rays rays, int k, Scratch scratch) {
-        passBy(rays, rays.dx, rays.dy, rays.dz, k, scratch);
-        double clear = -CLEAR * data[STRIDE * k + 3] * data[STRIDE * k + 3];
-        for (int i = 0; i < rays.count; i++) {
-            if (scratch.square[i] >= clear) {
+    void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
+        passBy(rays, rays.dx, rays.dy, rays.dz, from, to, k, scratch);
+        double[] square = scratch.square, along = scratch.along, t = scratch.distance;
+        double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
+        double power = rays.leaveEye ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from],
+                data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2], r) : 0;
+        if (!(power > 0)) {
+            for (int i = from; i < to; i++) {
+                if (square[i] >= clear) {
+                    meet(rays, i, k);
+                }
+            }
+            return;
+        }
+        // All rays start at the same point outside: what takes long to compute is the same for all.
+        distances(power, along, square, t, from, to);
+        for (int i = from; i < to; i++) {
+            if (square[i] >= 0) {
+                if (along[i] < 0 && t[i] <= rays.reach(i)) {
+                    rays.offer(i, slot(k), t[i]);
+                }
+            } else if (square[i] >= clear) {
                 meet(rays, i, k);
             }
         }
     }
 
+    /** The same as {@link #distance} for rays that start outside and meet the sphere. */
+    private static void distances(double power, double[] along, double[] square, double[] t, int from, int to) {
+        for (int i = from; i < to; i++) {
+            t[i] = power / (Math.sqrt(Math.max(0, square[i])) - along[i]);
+        }
+    }
+
     @Override
-    void blockAll(Rays rays, ShadowRays shadows, int k, Scratch scratch) {
-        passBy(rays, shadows.dx, shadows.dy, shadows.dz, k, scratch);
+    void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
+        passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
+        double[] square = scratch.square, along = scratch.along;
         double clear = -CLEAR * data[STRIDE * k + 3] * data[STRIDE * k + 3];
-        for (int i = 0; i < rays.count; i++) {
-            if (scratch.square[i] >= clear && shadows.open[i]) {
-                shadows.open[i] = !blocks(rays, shadows, i, k);
+        int lampSide = sideOfLamp(shadows.lamp, k);
+        for (int i = from; i < to; i++) {
+            // Most that start on the sphere go outwards, and need no closer look.
+            if (square[i] >= clear && shadows.open[i] && !(along[i] >= 0 && rays.hit[i] == slot(k))) {
+                shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
             }
         }
     }
 
-    /** Computes for all rays r^2 less the square of the perpendicular, in short loops over arrays that C2 can vectorise. */
-    private void passBy(Rays rays, double[] dx, double[] dy, double[] dz, int k, Scratch scratch) {
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = scratch.along, square = scratch.square;
-        int count = rays.count;
-        for (int i = 0; i < count; i++) {
+    /** Computes for all rays r^2 less the square of the perpendicular. */
+    private void passBy(Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, int k, Scratch scratch) {
+        along(rays.ox, rays.oy, rays.oz, dx, dy, dz, scratch.along, from, to, k);
+        perpendicular(rays.ox, rays.oy, rays.oz, dx, dy, dz, scratch.along, scratch.square, from, to, k);
+    }
+
+    private void along(double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz,
+            double[] along, int from, int to, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2];
+        for (int i = from; i < to; i++) {
             along[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
         }
-        for (int i = 0; i < count; i++) {
+    }
+
+    private void perpendicular(double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz,
+            double[] along, double[] square, int from, int to, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double rr = r * r;
+        for (int i = from; i < to; i++) {
             double ex = ox[i] - cx - along[i] * dx[i];
             double ey = oy[i] - cy - along[i] * dy[i];
             double ez = oz[i] - cz - along[i] * dz[i];
-            square[i] = r * r - (ex * ex + ey * ey + ez * ez);
+            square[i] = rr - (ex * ex + ey * ey + ez * ez);
         }
     }
 
@@ -142,6 +181,10 @@ final class Spheres extends BoundedSurfaces {
      */
     @Override
     boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
+        return blocks(rays, shadows, i, k, sideOfLamp(shadows.lamp, k));
+    }
+
+    private boolean blocks(Rays rays, ShadowRays shadows, int i, int k, int lampSide) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
@@ -159,9 +202,8 @@ final class Spheres extends BoundedSurfaces {
         }
         if (side == 0) {
             // It must go inwards, and come out again before the light.
-            return along < -Rounding.along(originError, 2 * Rounding.U, reach) && sideOfLamp(shadows.lamp, k) > 0;
+            return along < -Rounding.along(originError, 2 * Rounding.U, reach) && lampSide > 0;
         }
-        int lampSide = sideOfLamp(shadows.lamp, k);
         return side < 0 || lampSide < 0 ? side * lampSide < 0 : along < 0 && -along < shadows.distance[i];
     }
 
@@ -174,33 +216,48 @@ final class Spheres extends BoundedSurfaces {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double x = px - cx, y = py - cy, z = pz - cz;
         double square = x * x + y * y + z * z;
-        if (square > r * r * (1 + CLEAR)) {
-            return 1;
+        double bound = Rounding.power(error, r);
+        double power = square - r * r;
+        if (Math.abs(power) <= bound + Rounding.plainPower(square, r)) {
+            power = PowerOfPoint.of(px, py, pz, cx, cy, cz, r);
         }
-        double power = PowerOfPoint.of(px, py, pz, cx, cy, cz, r);
-        return Math.abs(power) <= Rounding.power(error, r) ? 0 : power > 0 ? 1 : -1;
+        return Math.abs(power) <= bound ? 0 : power > 0 ? 1 : -1;
     }
 
     @Override
-    public void arrive(Rays rays, int i) {
-        int k = STRIDE * number(rays.hit[i]);
-        double cx = data[k], cy = data[k + 1], cz = data[k + 2], r = data[k + 3];
-        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
-        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
-        double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
-        double t = rays.distance[i];
-        x += t * rays.dx[i];
-        y += t * rays.dy[i];
-        z += t * rays.dz[i];
-        double length = Math.sqrt(x * x + y * y + z * z);
-        rays.nx[i] = x / length;
-        rays.ny[i] = y / length;
-        rays.nz[i] = z / length;
-        rays.ox[i] = cx + r * rays.nx[i];
-        rays.oy[i] = cy + r * rays.ny[i];
-        rays.oz[i] = cz + r * rays.nz[i];
-        rays.originError[i] = Rounding.spherePosition(
-                Math.abs(cx) + Math.abs(cy) + Math.abs(cz), reach, r, Math.abs(t + along), along, t);
-        rays.normalError[i] = rays.originError[i] / r;
+    public void arrive(Rays rays, int from, int to, Scratch scratch) {
+        double[] cx = scratch.centreX, cy = scratch.centreY, cz = scratch.centreZ, r = scratch.radius;
+        for (int i = from; i < to; i++) {
+            int k = STRIDE * number(rays.hit[i]);
+            cx[i] = data[k];
+            cy[i] = data[k + 1];
+            cz[i] = data[k + 2];
+            r[i] = data[k + 3];
+        }
+        double[] t = rays.distance, along = scratch.along, reach = scratch.reach;
+        Passes.subtract(rays.ox, cx, rays.nx, from, to);
+        Passes.subtract(rays.oy, cy, rays.ny, from, to);
+        Passes.subtract(rays.oz, cz, rays.nz, from, to);
+        Passes.reach(rays.nx, rays.ny, rays.nz, reach, from, to);
+        Passes.dot(rays.nx, rays.ny, rays.nz, rays.dx, rays.dy, rays.dz, along, from, to);
+        Passes.addProduct(rays.nx, t, rays.dx, from, to);
+        Passes.addProduct(rays.ny, t, rays.dy, from, to);
+        Passes.addProduct(rays.nz, t, rays.dz, from, to);
+        Passes.length(rays.nx, rays.ny, rays.nz, scratch.square, from, to);
+        Passes.divide(rays.nx, rays.ny, rays.nz, scratch.square, from, to);
+        moveTo(cx, r, rays.nx, rays.ox, from, to);
+        moveTo(cy, r, rays.ny, rays.oy, from, to);
+        moveTo(cz, r, rays.nz, rays.oz, from, to);
+        Passes.reach(cx, cy, cz, scratch.square, from, to);
+        Rounding.spherePosition(scratch.square, reach, r, along, t, rays.originError, from, to);
+        for (int i = from; i < to; i++) {
+            rays.normalError[i] = rays.originError[i] / r[i];
+        }
+    }
+
+    private static void moveTo(double[] centre, double[] radius, double[] normal, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = centre[i] + radius[i] * normal[i];
+        }
     }
 }

@@ -2,7 +2,9 @@ package raytracer.tracer;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Material;
@@ -16,7 +18,9 @@ final class SurfaceCompiler {
 
     private final Mesh mesh;
     private final ForkJoinPool pool;
-    private final SlotTable slots;
+    private final int[] declaredBySlot;
+    private final int[] lookBySlot;
+    private final List<Material> looks = new ArrayList<>();
 
     private final List<Shape.Plane> planes = new ArrayList<>();
     private final List<Shape.Sphere> spheres = new ArrayList<>();
@@ -33,7 +37,10 @@ final class SurfaceCompiler {
     private static final class Origins {
         final int[] declared;
         final Material[] material;
+        final Map<Material, Integer> lookOf = new HashMap<>();
         int count;
+        private Material last;
+        private int lastLook;
 
         Origins(int most) {
             declared = new int[most];
@@ -43,6 +50,19 @@ final class SurfaceCompiler {
         void add(int number, Material made) {
             declared[count] = number;
             material[count++] = made;
+        }
+
+        /** The number of this kind's look with a surface's material, which it gets if it has none yet. */
+        int look(int number, List<Material> looks) {
+            Material made = material[number];
+            if (made != last) {
+                last = made;
+                lastLook = lookOf.computeIfAbsent(made, m -> {
+                    looks.add(m);
+                    return looks.size() - 1;
+                });
+            }
+            return lastLook;
         }
     }
 
@@ -60,7 +80,8 @@ final class SurfaceCompiler {
             sort(shape, declared);
             declared = Math.addExact(declared, shape.count());
         }
-        slots = new SlotTable(planes.size() + spheres.size() + triangleCount);
+        declaredBySlot = new int[planes.size() + spheres.size() + triangleCount];
+        lookBySlot = new int[declaredBySlot.length];
     }
 
     private void sort(Shape shape, int declared) {
@@ -81,8 +102,9 @@ final class SurfaceCompiler {
         }
     }
 
+    /** Complete when all kinds have been made. */
     SlotTable slots() {
-        return slots;
+        return new SlotTable(declaredBySlot, lookBySlot, looks.toArray(Material[]::new));
     }
 
     Optional<Surfaces> planes() {
@@ -99,7 +121,7 @@ final class SurfaceCompiler {
         if (spheres.isEmpty()) {
             return Optional.empty();
         }
-        Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), pool);
+        Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Spheres.LEAF_SIZE, pool);
         int firstSlot = planes.size();
         List<Shape.Sphere> ordered = new ArrayList<>(spheres.size());
         for (int k = 0; k < spheres.size(); k++) {
@@ -114,7 +136,7 @@ final class SurfaceCompiler {
             return Optional.empty();
         }
         int[] solid = Arrays.copyOf(triangles, triangleCount);
-        Bvh bvh = BvhBuilder.build(triangleCount, Triangles.bounds(mesh, solid), pool);
+        Bvh bvh = BvhBuilder.build(triangleCount, Triangles.bounds(mesh, solid), Triangles.LEAF_SIZE, pool);
         int firstSlot = planes.size() + spheres.size();
         int[] ordered = new int[triangleCount];
         for (int k = 0; k < triangleCount; k++) {
@@ -125,7 +147,7 @@ final class SurfaceCompiler {
     }
 
     private void settle(int slot, Origins from, int k) {
-        slots.declared()[slot] = from.declared[k];
-        slots.material()[slot] = from.material[k];
+        declaredBySlot[slot] = from.declared[k];
+        lookBySlot[slot] = from.look(k, looks);
     }
 }

@@ -12,15 +12,15 @@ sealed interface Surfaces permits Planes, BoundedSurfaces {
     /** Bounds the error of the distance at which a ray meets the surface in a slot. */
     double distanceError(Rays rays, int ray, int slot, double t);
 
-    /** Closes every open shadow ray that one of these blocks, strictly between its ends. */
-    void block(Rays rays, ShadowRays shadows, Scratch scratch);
+    /** Closes every open shadow ray, of those from one index to another, that one of these blocks between its ends. */
+    void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch);
 
     /** Whether a slot is one of these. */
     boolean owns(int slot);
 
     /**
-     * Takes a ray that has met one of these to where it met it: the origin becomes that point, with a bound on its
-     * error, and the normal is set.
+     * Takes rays, from one index to another, that have met these to where they met them: their origins become those
+     * points, with bounds on their errors, and the normals are set.
      */
-    void arrive(Rays rays, int ray);
+    void arrive(Rays rays, int from, int to, Scratch scratch);
 }

@@ -12,40 +12,35 @@ import raytracer.scene.Material;
  */
 public final class TileTracer {
 
-    /** The greatest whole exponent that is multiplied out. */
-    private static final int MOST_MULTIPLIED = 1024;
-
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
     private final Material[] material;
-    private final List<Lamp> lamps;
     private final int maxDepth;
 
     private final Scratch scratch = new Scratch();
     private final Rays rays;
-    private final ShadowRays shadows = new ShadowRays();
+    private final Groups groups;
+    private final Shading shading;
+    private final int[] kept = new int[Rays.CAPACITY];
 
-    // By ray: the light that its surface sends back along it.
-    private final double[] shadeRed = new double[Rays.CAPACITY];
-    private final double[] shadeGreen = new double[Rays.CAPACITY];
-    private final double[] shadeBlue = new double[Rays.CAPACITY];
-
-    // By pixel of the tile.
+    // By pixel of the tile: where its ray goes through the picture, and the colour that it comes to.
+    private final double[] x = new double[Rays.CAPACITY];
+    private final double[] y = new double[Rays.CAPACITY];
     private final double[] red = new double[Rays.CAPACITY];
     private final double[] green = new double[Rays.CAPACITY];
     private final double[] blue = new double[Rays.CAPACITY];
 
     private long primaryCount;
-    private long shadowCount;
     private long reflectionCount;
 
     TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
         this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.material = slots.material();
-        this.lamps = lamps;
         this.maxDepth = maxDepth;
         rays = new Rays(slots.declared(), surfaces);
+        groups = new Groups(slots);
+        shading = new Shading(surfaces, lamps);
     }
 
     /**
@@ -54,11 +49,37 @@ public final class TileTracer {
      * @param sink gets every pixel of the rectangle once
      */
     public void trace(int left, int top, int columns, int rows, PixelSink sink) {
-        Arrays.fill(red, 0);
-        Arrays.fill(green, 0);
-        Arrays.fill(blue, 0);
-        pinhole.aim(rays, left, top, columns, rows);
-        primaryCount += rays.count;
+        pointAtCentres(left, top, columns, rows);
+        trace(columns * rows);
+        send(left, top, columns, rows, sink);
+    }
+
+    // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.
+
+    private void pointAtCentres(int left, int top, int columns, int rows) {
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                x[row * columns + column] = left + column + 0.5;
+                y[row * columns + column] = top + row + 0.5;
+            }
+        }
+    }
+
+    private void send(int left, int top, int columns, int rows, PixelSink sink) {
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                int i = row * columns + column;
+                sink.set(left + column, top + row, red[i], green[i], blue[i]);
+            }
+        }
+    }
+
+    private void trace(int count) {
+        Arrays.fill(red, 0, count, 0);
+        Arrays.fill(green, 0, count, 0);
+        Arrays.fill(blue, 0, count, 0);
+        pinhole.aim(rays, x, y, count);
+        primaryCount += count;
         for (int depth = 1; rays.count > 0; depth++) {
             findNearest();
             shade();
@@ -68,14 +89,11 @@ public final class TileTracer {
             reflect();
             reflectionCount += rays.count;
         }
-        for (int i = 0; i < columns * rows; i++) {
-            sink.set(left + i % columns, top + i / columns, red[i], green[i], blue[i]);
-        }
     }
 
     /** What this has traced since it was made. */
     public RayCounts counts() {
-        return new RayCounts(primaryCount, shadowCount, reflectionCount);
+        return new RayCounts(primaryCount, shading.shadowCount(), reflectionCount);
     }
 
     /** Takes every ray to the nearest surface; those that meet none leave. */
@@ -84,130 +102,61 @@ public final class TileTracer {
         for (Surfaces kind : surfaces) {
             kind.findNearest(rays, scratch);
         }
-        int kept = 0;
-        for (int i = 0; i < rays.count; i++) {
-            if (rays.hit[i] != Rays.NONE) {
-                rays.move(i, kept++);
-            }
-        }
-        rays.count = kept;
-        for (Surfaces kind : surfaces) {
-            for (int i = 0; i < kept; i++) {
-                if (kind.owns(rays.hit[i])) {
-                    kind.arrive(rays, i);
+        groups.arrange(rays);
+        for (int group = 0; group < groups.count(); group++) {
+            int first = rays.hit[groups.start(group)];
+            for (Surfaces kind : surfaces) {
+                if (kind.owns(first)) {
+                    kind.arrive(rays, groups.start(group), groups.end(group), scratch);
                 }
             }
         }
     }
 
     private void shade() {
-        for (int i = 0; i < rays.count; i++) {
-            Colour ambient = material[rays.hit[i]].ambient();
-            shadeRed[i] = ambient.red();
-            shadeGreen[i] = ambient.green();
-            shadeBlue[i] = ambient.blue();
+        for (int group = 0; group < groups.count(); group++) {
+            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], scratch);
         }
-        for (Lamp lamp : lamps) {
-            shadows.lamp = lamp;
-            for (int i = 0; i < rays.count; i++) {
-                aimAtLamp(i);
-                shadowCount += shadows.open[i] ? 1 : 0;
-            }
-            for (Surfaces kind : surfaces) {
-                kind.block(rays, shadows, scratch);
-            }
-            for (int i = 0; i < rays.count; i++) {
-                if (shadows.open[i]) {
-                    addLight(i, lamp.colour());
-                }
-            }
-        }
+        addToPixels();
+    }
+
+    private void addToPixels() {
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
-            red[p] += times(rays.red[i], shadeRed[i]);
-            green[p] += times(rays.green[i], shadeGreen[i]);
-            blue[p] += times(rays.blue[i], shadeBlue[i]);
+            red[p] += times(rays.red[i], shading.red[i]);
+            green[p] += times(rays.green[i], shading.green[i]);
+            blue[p] += times(rays.blue[i], shading.blue[i]);
         }
-    }
-
-    /** Makes the shadow ray from where ray i has arrived; it is open if the light would add something there. */
-    private void aimAtLamp(int i) {
-        Lamp lamp = shadows.lamp;
-        double lx = lamp.x(), ly = lamp.y(), lz = lamp.z();
-        double distance = Double.POSITIVE_INFINITY;
-        if (!lamp.directional()) {
-            lx -= rays.ox[i];
-            ly -= rays.oy[i];
-            lz -= rays.oz[i];
-            distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
-            lx /= distance;
-            ly /= distance;
-            lz /= distance;
-        }
-        shadows.dx[i] = lx;
-        shadows.dy[i] = ly;
-        shadows.dz[i] = lz;
-        shadows.distance[i] = distance;
-        double nx = rays.nx[i], ny = rays.ny[i], nz = rays.nz[i];
-        // The half vector, not yet of length 1.
-        double hx = lx - rays.dx[i], hy = ly - rays.dy[i], hz = lz - rays.dz[i];
-        double square = hx * hx + hy * hy + hz * hz;
-        double highlight = square > 0 ? (nx * hx + ny * hy + nz * hz) / Math.sqrt(square) : 0;
-        double lambert = nx * lx + ny * ly + nz * lz;
-        shadows.highlight[i] = highlight;
-        shadows.lambert[i] = lambert;
-        Material m = material[rays.hit[i]];
-        shadows.open[i] = distance > 0
-                && (lambert > 0 && !m.diffuse().isBlack()
-                        || (highlight > 0 || m.shininess() <= 0) && !m.specular().isBlack());
-    }
-
-    private void addLight(int i, Colour light) {
-        Material m = material[rays.hit[i]];
-        double lambert = shadows.lambert[i] > 0 ? shadows.lambert[i] : 0;
-        double cosine = shadows.highlight[i];
-        double highlight = power(cosine > 1 ? 1 : cosine > 0 ? cosine : 0, m.shininess());
-        shadeRed[i] += light.red() * (m.diffuse().red() * lambert)
-                + times(light.red(), times(m.specular().red(), highlight));
-        shadeGreen[i] += light.green() * (m.diffuse().green() * lambert)
-                + times(light.green(), times(m.specular().green(), highlight));
-        shadeBlue[i] += light.blue() * (m.diffuse().blue() * lambert)
-                + times(light.blue(), times(m.specular().blue(), highlight));
-    }
-
-    /**
-     * x to the s, x from 0 to 1. Whole exponents are multiplied out: that rounds by at most 2u s, no more than what an
-     * error of x by 2u grows to.
-     */
-    private static double power(double x, double s) {
-        int n = (int) s;
-        if (n != s || n < 0 || n > MOST_MULTIPLIED) {
-            return Math.pow(x, s);
-        }
-        double result = 1;
-        for (double factor = x; n > 0; n >>= 1) {
-            if ((n & 1) == 1) {
-                result *= factor;
-            }
-            factor *= factor;
-        }
-        return result;
     }
 
     /** Turns every ray into its mirror image; those that cannot change their pixel any more leave. */
     private void reflect() {
-        int kept = 0;
-        for (int i = 0; i < rays.count; i++) {
-            Colour mirror = material[rays.hit[i]].specular();
+        int count = 0;
+        for (int group = 0; group < groups.count(); group++) {
+            Colour mirror = material[groups.look(group)].specular();
+            if (!mirror.isBlack()) {
+                count = dim(groups.start(group), groups.end(group), mirror, count);
+            }
+        }
+        rays.leaveEye = false;
+        if (count < rays.count) {
+            rays.selectArrived(kept, count);
+        }
+        rays.mirror(scratch);
+    }
+
+    /** Takes a mirror's share of light from rays, and keeps those that are worth following; returns how many are. */
+    private int dim(int from, int to, Colour mirror, int keptBefore) {
+        int count = keptBefore;
+        for (int i = from; i < to; i++) {
             rays.red[i] = times(rays.red[i], mirror.red());
             rays.green[i] = times(rays.green[i], mirror.green());
             rays.blue[i] = times(rays.blue[i], mirror.blue());
             if (canChange(i)) {
-                rays.mirror(i);
-                rays.move(i, kept++);
+                kept[count++] = i;
             }
         }
-        rays.count = kept;
+        return count;
     }
 
     private boolean canChange(int i) {

@@ -14,6 +14,8 @@ import raytracer.scene.Vector;
  */
 final class Triangles extends BoundedSurfaces {
 
+    static final int LEAF_SIZE = Integer.getInteger("leaf", 4);
+
     /** Numbers of one triangle in {@link #data}: three corners and the unit normal. */
     private static final int STRIDE = 12;
 
@@ -78,15 +80,15 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    void meetAll(Rays rays, int k, Scratch scratch) {
-        for (int i = 0; i < rays.count; i++) {
+    void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
+        for (int i = from; i < to; i++) {
             meet(rays, i, k);
         }
     }
 
     @Override
-    void blockAll(Rays rays, ShadowRays shadows, int k, Scratch scratch) {
-        for (int i = 0; i < rays.count; i++) {
+    void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
+        for (int i = from; i < to; i++) {
             shadows.open[i] = shadows.open[i] && !blocks(rays, shadows, i, k);
         }
     }
@@ -163,10 +165,12 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int i) {
-        int at = STRIDE * number(rays.hit[i]);
-        double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
-                + Math.abs(data[at + 2] - rays.oz[i]);
-        rays.arriveOnPlane(i, reach, data[at + 9], data[at + 10], data[at + 11]);
+    public void arrive(Rays rays, int from, int to, Scratch scratch) {
+        for (int i = from; i < to; i++) {
+            int at = STRIDE * number(rays.hit[i]);
+            double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
+                    + Math.abs(data[at + 2] - rays.oz[i]);
+            rays.arriveOnPlane(i, reach, data[at + 9], data[at + 10], data[at + 11]);
+        }
     }
 }

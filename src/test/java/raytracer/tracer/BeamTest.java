@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.BitSet;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import raytracer.scene.Colour;
 import raytracer.scene.Vector;
 
 @DisplayName("A beam")
@@ -17,9 +19,10 @@ class BeamTest {
     private static final int RAYS = 40;
 
     private final Beam beam = new Beam();
-    private final double[][] o = new double[3][RAYS];
-    private final double[][] d = new double[3][RAYS];
-    private final double[] distance = new double[RAYS];
+    private final Rays rays = new Rays(new int[0], List.of());
+    private final double[][] o = {rays.ox, rays.oy, rays.oz};
+    private final double[][] d = {rays.dx, rays.dy, rays.dz};
+    private final double[] distance = rays.distance;
 
     private void set(int ray, Vector origin, Vector direction, double far) {
         o[0][ray] = origin.x();
@@ -32,7 +35,7 @@ class BeamTest {
     }
 
     private boolean gather(Bvh bvh) {
-        beam.span(RAYS, o[0], o[1], o[2], d[0], d[1], d[2], distance);
+        beam.take(rays, 0, RAYS);
         return beam.gather(bvh);
     }
 
@@ -81,6 +84,44 @@ class BeamTest {
             }
         }
         assertTrue(spread > .1 ? wide > 100 : met > 300, met + " met, " + wide + " too wide");
+    }
+
+    @ParameterizedTest(name = "to a lamp holds all that may be in the way: world offset {0}, origins {1} apart")
+    @CsvSource({"0, .1", "1e6, .02", "-1e9, .1"})
+    void holdsAllThatMayBeBeforeALamp(double offset, double apart) {
+        double[][] boxes = BvhTest.cubes(300, 2, .04, offset, 1);
+        Bvh bvh = BvhTest.build(boxes, 2);
+        Random random = new Random(4);
+        int met = 0;
+        for (int tile = 0; tile < 800; tile++) {
+            Vector axis = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector place = new Vector(offset + 2 * axis.x(), offset + 2 * axis.y(), offset + 2 * axis.z());
+            boolean directional = tile % 2 == 0;
+            Lamp lamp = directional ? new Lamp(true, -axis.x(), -axis.y(), -axis.z(), Colour.BLACK)
+                    : new Lamp(false, place.x(), place.y(), place.z(), Colour.BLACK);
+            for (int i = 0; i < RAYS; i++) {
+                o[0][i] = offset + (directional ? 2 * axis.x() : 0) + apart * random.nextDouble();
+                o[1][i] = offset + (directional ? 2 * axis.y() : 0) + apart * random.nextDouble();
+                o[2][i] = offset + (directional ? 2 * axis.z() : 0) + apart * random.nextDouble();
+            }
+            beam.take(rays, lamp, 0, RAYS);
+            if (!beam.gather(bvh)) {
+                continue;
+            }
+            BitSet things = gathered(bvh);
+            for (int i = 0; i < RAYS; i++) {
+                Vector from = new Vector(o[0][i], o[1][i], o[2][i]);
+                Vector way = directional ? new Vector(lamp.x(), lamp.y(), lamp.z()) : place.minus(from).unit();
+                double far = directional ? Double.POSITIVE_INFINITY : place.minus(from).length();
+                for (int k = 0; k < boxes.length; k++) {
+                    if (BvhTest.meets(boxes[k], from, way, far)) {
+                        assertTrue(things.get(k), "tile " + tile + ", ray " + i + " misses box " + k);
+                        met++;
+                    }
+                }
+            }
+        }
+        assertTrue(met > 300, met + " met");
     }
 
     @Test

@@ -35,7 +35,7 @@ class BvhTest {
     static Bvh build(double[][] boxes, int threads) {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
-            return BvhBuilder.build(boxes.length, (k, box) -> System.arraycopy(boxes[k], 0, box, 0, 6), pool);
+            return BvhBuilder.build(boxes.length, (k, box) -> System.arraycopy(boxes[k], 0, box, 0, 6), Bvh.LEAF_SIZE, pool);
         } finally {
             pool.shutdown();
         }

@@ -124,7 +124,7 @@ class LawsTest {
             spheres.add(new Shape.Sphere(new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)),
                     .05 + random.nextDouble() / 10, Material.DEFAULT));
         }
-        Bvh tree = BvhBuilder.build(500, Spheres.bounds(spheres), ForkJoinPool.commonPool());
+        Bvh tree = BvhBuilder.build(500, Spheres.bounds(spheres), Bvh.LEAF_SIZE, ForkJoinPool.commonPool());
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
         Bvh none = new Bvh(tree.order(), 500, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);

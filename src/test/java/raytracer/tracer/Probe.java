@@ -24,9 +24,9 @@ public final class Probe {
     public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
-        slots = compiler.slots();
         surfaces = Stream.of(compiler.planes(), compiler.spheres(), compiler.triangles())
                 .flatMap(java.util.Optional::stream).toList();
+        slots = compiler.slots();
         rays = new Rays(slots.declared(), surfaces);
     }
 
@@ -34,6 +34,7 @@ public final class Probe {
     public Meeting shoot(Vector origin, Vector direction) {
         aim(origin, direction.unit());
         rays.source[0] = Rays.NONE;
+        rays.leaveEye = true;
         rays.originError[0] = 0;
         rays.directionError[0] = Rounding.EYE_DIRECTION;
         return meet();
@@ -42,6 +43,7 @@ public final class Probe {
     /** What a ray meets that leaves where the last one arrived; null if nothing. */
     public Meeting continueTowards(Vector direction) {
         rays.source[0] = rays.hit[0];
+        rays.leaveEye = false;
         aim(new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), direction.unit());
         return meet();
     }
@@ -61,7 +63,7 @@ public final class Probe {
         shadows.dy[0] = unit.y();
         shadows.dz[0] = unit.z();
         shadows.open[0] = true;
-        surfaces.forEach(kind -> kind.block(rays, shadows, scratch));
+        surfaces.forEach(kind -> kind.block(rays, shadows, 0, 1, scratch));
         return shadows.open[0];
     }
 
@@ -93,7 +95,7 @@ public final class Probe {
         if (slot == Rays.NONE) {
             return null;
         }
-        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.arrive(rays, 0));
+        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.arrive(rays, 0, 1, scratch));
         return new Meeting(slots.declared()[slot], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }

@@ -52,8 +52,8 @@ public final class Textbook {
             all[k] = k;
         }
         ForkJoinPool pool = ForkJoinPool.commonPool();
-        sphereTree = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), pool);
-        triangleTree = BvhBuilder.build(all.length, Triangles.bounds(scene.mesh(), all), pool);
+        sphereTree = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Bvh.LEAF_SIZE, pool);
+        triangleTree = BvhBuilder.build(all.length, Triangles.bounds(scene.mesh(), all), Bvh.LEAF_SIZE, pool);
     }
 
     /** Renders on the calling thread. */

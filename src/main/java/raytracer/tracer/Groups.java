@@ -1,0 +1,89 @@
+package raytracer.tracer;
+
+/**
+ * Puts a tile's rays in order by the look of what they have met, so that all of a group arrive and are shaded by the
+ * same rules and the same numbers. Most tiles have one or two groups.
+ */
+final class Groups {
+
+    private final int[] look;
+
+    private int count;
+    private final int[] lookOf = new int[Rays.CAPACITY];
+    /** By group: its rays begin here, and end where the next one's begin. */
+    private final int[] start = new int[Rays.CAPACITY + 1];
+
+    private final int[] groupOf = new int[Rays.CAPACITY];
+    private final int[] order = new int[Rays.CAPACITY];
+
+    Groups(SlotTable slots) {
+        look = slots.look();
+    }
+
+    int count() {
+        return count;
+    }
+
+    int look(int group) {
+        return lookOf[group];
+    }
+
+    int start(int group) {
+        return start[group];
+    }
+
+    int end(int group) {
+        return start[group + 1];
+    }
+
+    /** Puts the rays in order; those that have met nothing leave. */
+    void arrange(Rays rays) {
+        int met = assign(rays);
+        if (count == 1 && met == rays.count) {
+            start[0] = 0;
+            start[1] = met;
+            return;
+        }
+        for (int group = 1; group < count; group++) {
+            start[group] += start[group - 1];
+        }
+        // From the last backwards, each group's rays fill it from its end, which so moves down to its start.
+        for (int i = rays.count - 1; i >= 0; i--) {
+            if (rays.hit[i] != Rays.NONE) {
+                order[--start[groupOf[i]]] = i;
+            }
+        }
+        start[count] = met;
+        rays.select(order, met);
+    }
+
+    /** Tells every ray its group, and counts each group's rays in {@link #start}. */
+    private int assign(Rays rays) {
+        count = 0;
+        int met = 0;
+        int group = -1;
+        for (int i = 0; i < rays.count; i++) {
+            int slot = rays.hit[i];
+            if (slot != Rays.NONE) {
+                if (group < 0 || lookOf[group] != look[slot]) {
+                    group = find(look[slot]);
+                }
+                groupOf[i] = group;
+                start[group]++;
+                met++;
+            }
+        }
+        return met;
+    }
+
+    private int find(int wanted) {
+        for (int group = 0; group < count; group++) {
+            if (lookOf[group] == wanted) {
+                return group;
+            }
+        }
+        lookOf[count] = wanted;
+        start[count] = 0;
+        return count++;
+    }
+}

@@ -1,0 +1,112 @@
+package raytracer.tracer;
+
+/**
+ * Arithmetic on whole arrays, from one index up to before another. Each pass is so small that HotSpot's C2 turns it
+ * into vector instructions: it gives up on loops of more than about seven arrays, and on any that compares.
+ */
+final class Passes {
+
+    private Passes() { }
+
+    /** out = a . b */
+    static void dot(double[] ax, double[] ay, double[] az, double[] bx, double[] by, double[] bz, double[] out,
+            int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i];
+        }
+    }
+
+    /** out = a . b, the same a for all */
+    static void dot(double ax, double ay, double az, double[] bx, double[] by, double[] bz, double[] out,
+            int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = bx[i] * ax + by[i] * ay + bz[i] * az;
+        }
+    }
+
+    /** out = a - b */
+    static void subtract(double[] a, double[] b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = a[i] - b[i];
+        }
+    }
+
+    /** out = a - b, the same a for all */
+    static void subtract(double a, double[] b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = a - b[i];
+        }
+    }
+
+    /** a += t b */
+    static void addProduct(double[] a, double[] t, double[] b, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] += t[i] * b[i];
+        }
+    }
+
+    /** a -= 2 t b */
+    static void subtractTwice(double[] a, double[] t, double[] b, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] -= 2 * t[i] * b[i];
+        }
+    }
+
+    /** out = a + r b, the same a and r for all */
+    static void along(double a, double r, double[] b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = a + r * b[i];
+        }
+    }
+
+    /** out = |(x, y, z)| */
+    static void length(double[] x, double[] y, double[] z, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        }
+    }
+
+    /** out = |x| + |y| + |z| */
+    static void reach(double[] x, double[] y, double[] z, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = Math.abs(x[i]) + Math.abs(y[i]) + Math.abs(z[i]);
+        }
+    }
+
+    /** (x, y, z) /= divisor */
+    static void divide(double[] x, double[] y, double[] z, double[] divisor, int from, int to) {
+        for (int i = from; i < to; i++) {
+            x[i] /= divisor[i];
+            y[i] /= divisor[i];
+            z[i] /= divisor[i];
+        }
+    }
+
+    /** a /= b */
+    static void divide(double[] a, double[] b, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] /= b[i];
+        }
+    }
+
+    /** a *= b */
+    static void multiply(double[] a, double[] b, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] *= b[i];
+        }
+    }
+
+    /** a = 1 / a */
+    static void invert(double[] a, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] = 1 / a[i];
+        }
+    }
+
+    /** a += f (g b) */
+    static void addScaled(double[] a, double f, double g, double[] b, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] += f * (g * b[i]);
+        }
+    }
+}

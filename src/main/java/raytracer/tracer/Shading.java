@@ -1,0 +1,152 @@
+package raytracer.tracer;
+
+import java.util.Arrays;
+import java.util.List;
+import raytracer.scene.Colour;
+import raytracer.scene.Material;
+
+/** The light that surfaces send back along a group of rays that have arrived at one material: Lambert and Blinn-Phong. */
+final class Shading {
+
+    /** The greatest whole exponent that is multiplied out. */
+    private static final int MOST_MULTIPLIED = 1024;
+
+    private final List<Surfaces> surfaces;
+    private final List<Lamp> lamps;
+    private final ShadowRays shadows = new ShadowRays();
+    private long shadowCount;
+
+    // By ray: the result.
+    final double[] red = new double[Rays.CAPACITY];
+    final double[] green = new double[Rays.CAPACITY];
+    final double[] blue = new double[Rays.CAPACITY];
+
+    Shading(List<Surfaces> surfaces, List<Lamp> lamps) {
+        this.surfaces = surfaces;
+        this.lamps = lamps;
+    }
+
+    /** How many shadow rays were traced since this was made. */
+    long shadowCount() {
+        return shadowCount;
+    }
+
+    /** Shades rays from one index to another, which have arrived at surfaces of this material. */
+    void shade(Rays rays, int from, int to, Material material, Scratch scratch) {
+        Arrays.fill(red, from, to, material.ambient().red());
+        Arrays.fill(green, from, to, material.ambient().green());
+        Arrays.fill(blue, from, to, material.ambient().blue());
+        if (material.diffuse().isBlack() && material.specular().isBlack()) {
+            return;
+        }
+        for (Lamp lamp : lamps) {
+            shadows.aim(rays, lamp, from, to);
+            reflectance(rays, material, from, to, scratch);
+            int open = open(material, from, to);
+            if (open == 0) {
+                continue;
+            }
+            shadowCount += open;
+            for (Surfaces kind : surfaces) {
+                kind.block(rays, shadows, from, to, scratch);
+            }
+            addLight(lamp.colour(), material, from, to, scratch);
+        }
+    }
+
+    /** Computes the cosines that decide how much light the surface returns. */
+    private void reflectance(Rays rays, Material material, int from, int to, Scratch scratch) {
+        ShadowRays s = shadows;
+        Passes.dot(rays.nx, rays.ny, rays.nz, s.dx, s.dy, s.dz, s.lambert, from, to);
+        if (material.specular().isBlack()) {
+            return;
+        }
+        // The half vector, not of length 1: the cosine is divided by its length instead.
+        double[] hx = scratch.centreX, hy = scratch.centreY, hz = scratch.centreZ, length = scratch.square;
+        Passes.subtract(s.dx, rays.dx, hx, from, to);
+        Passes.subtract(s.dy, rays.dy, hy, from, to);
+        Passes.subtract(s.dz, rays.dz, hz, from, to);
+        Passes.length(hx, hy, hz, length, from, to);
+        Passes.dot(rays.nx, rays.ny, rays.nz, hx, hy, hz, s.highlight, from, to);
+        Passes.divide(s.highlight, length, from, to);
+    }
+
+    /** Opens the ways to the light on which it would add something; returns how many. */
+    private int open(Material material, int from, int to) {
+        boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
+        boolean alwaysSpecular = specular && material.shininess() <= 0;
+        int count = 0;
+        for (int i = from; i < to; i++) {
+            boolean open = shadows.distance[i] > 0 && (diffuse && shadows.lambert[i] > 0
+                    || alwaysSpecular || specular && shadows.highlight[i] > 0);
+            shadows.open[i] = open;
+            count += open ? 1 : 0;
+        }
+        return count;
+    }
+
+    private void addLight(Colour light, Material material, int from, int to, Scratch scratch) {
+        Colour diffuse = material.diffuse(), specular = material.specular();
+        cutLambert(from, to);
+        addTerm(light, diffuse, shadows.lambert, from, to);
+        if (!specular.isBlack()) {
+            double[] power = scratch.along;
+            power(material.shininess(), power, from, to, scratch);
+            addTerm(light, specular, power, from, to);
+        }
+    }
+
+    /** Adds light times colour times a number by ray, nothing of which is infinite unless both are more than nothing. */
+    private void addTerm(Colour light, Colour colour, double[] by, int from, int to) {
+        if (light.red() != 0 && colour.red() != 0) {
+            Passes.addScaled(red, light.red(), colour.red(), by, from, to);
+        }
+        if (light.green() != 0 && colour.green() != 0) {
+            Passes.addScaled(green, light.green(), colour.green(), by, from, to);
+        }
+        if (light.blue() != 0 && colour.blue() != 0) {
+            Passes.addScaled(blue, light.blue(), colour.blue(), by, from, to);
+        }
+    }
+
+    private void cutLambert(int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (!(shadows.open[i] && shadows.lambert[i] > 0)) {
+                shadows.lambert[i] = 0;
+            }
+        }
+    }
+
+    /**
+     * The highlights, cut to [0, 1], to the power of s; 0 where the light is not seen. Whole exponents are multiplied
+     * out: that rounds by at most 2u s, no more than what an error of the highlight by 2u grows to.
+     */
+    private void power(double s, double[] power, int from, int to, Scratch scratch) {
+        double[] factor = shadows.highlight;
+        for (int i = from; i < to; i++) {
+            factor[i] = factor[i] > 0 ? factor[i] > 1 ? 1 : factor[i] : 0;
+        }
+        int n = (int) Math.abs(s);
+        if (n != Math.abs(s) || n > MOST_MULTIPLIED) {
+            for (int i = from; i < to; i++) {
+                power[i] = shadows.open[i] ? Math.pow(factor[i], s) : 0;
+            }
+            return;
+        }
+        Arrays.fill(power, from, to, 1);
+        for (; n > 0; n >>= 1) {
+            if ((n & 1) == 1) {
+                Passes.multiply(power, factor, from, to);
+            }
+            Passes.multiply(factor, factor, from, to);
+        }
+        if (s < 0) {
+            Passes.invert(power, from, to);
+        }
+        for (int i = from; i < to; i++) {
+            if (!shadows.open[i]) {
+                power[i] = 0;
+            }
+        }
+    }
+}
