@@ -227,13 +227,7 @@ final class Spheres extends BoundedSurfaces {
     @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         double[] cx = scratch.centreX, cy = scratch.centreY, cz = scratch.centreZ, r = scratch.radius;
-        for (int i = from; i < to; i++) {
-            int k = STRIDE * number(rays.hit[i]);
-            cx[i] = data[k];
-            cy[i] = data[k + 1];
-            cz[i] = data[k + 2];
-            r[i] = data[k + 3];
-        }
+        spheres(rays.hit, cx, cy, cz, r, from, to);
         double[] t = rays.distance, along = scratch.along, reach = scratch.reach;
         Passes.subtract(rays.ox, cx, rays.nx, from, to);
         Passes.subtract(rays.oy, cy, rays.ny, from, to);
@@ -250,8 +244,18 @@ final class Spheres extends BoundedSurfaces {
         moveTo(cz, r, rays.nz, rays.oz, from, to);
         Passes.reach(cx, cy, cz, scratch.square, from, to);
         Rounding.spherePosition(scratch.square, reach, r, along, t, rays.originError, from, to);
+        System.arraycopy(rays.originError, from, rays.normalError, from, to - from);
+        Passes.divide(rays.normalError, r, from, to);
+    }
+
+    /** By ray, the sphere that it has met. */
+    private void spheres(int[] hit, double[] cx, double[] cy, double[] cz, double[] r, int from, int to) {
         for (int i = from; i < to; i++) {
-            rays.normalError[i] = rays.originError[i] / r[i];
+            int k = STRIDE * number(hit[i]);
+            cx[i] = data[k];
+            cy[i] = data[k + 1];
+            cz[i] = data[k + 2];
+            r[i] = data[k + 3];
         }
     }
 

@@ -12,6 +12,14 @@ import raytracer.scene.Material;
  */
 public final class TileTracer {
 
+    /**
+     * Tiles are smaller until HotSpot has compiled the passes: one of 64 rounds that was called 600 times is compiled
+     * as a whole, but one of more has gone round 40,000 times before, and is compiled for the single call that it is in
+     * first, to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
+     */
+    private static final int COLD_SIDE = 8;
+    private static final int COLD_RAYS = 1800 * COLD_SIDE * COLD_SIDE;
+
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
     private final Material[] material;
@@ -49,6 +57,15 @@ public final class TileTracer {
      * @param sink gets every pixel of the rectangle once
      */
     public void trace(int left, int top, int columns, int rows, PixelSink sink) {
+        int side = primaryCount < COLD_RAYS ? COLD_SIDE : Tracer.TILE_SIDE;
+        for (int y = 0; y < rows; y += side) {
+            for (int x = 0; x < columns; x += side) {
+                traceAtOnce(left + x, top + y, Math.min(side, columns - x), Math.min(side, rows - y), sink);
+            }
+        }
+    }
+
+    private void traceAtOnce(int left, int top, int columns, int rows, PixelSink sink) {
         pointAtCentres(left, top, columns, rows);
         trace(columns * rows);
         send(left, top, columns, rows, sink);
