@@ -8,7 +8,7 @@ import java.util.Locale;
  * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes), and a band
  * at the foot for results that cannot be told from none.
  */
-final class Panel {
+public final class Panel {
 
     private static final int LEFT = 62;
     private static final int TOP = 34;
@@ -28,12 +28,13 @@ final class Panel {
     private final List<Point> points = new ArrayList<>();
     private final List<Curve> curves = new ArrayList<>();
     private boolean besideX;
+    private boolean front = true;
 
     /**
      * @param limit      the top of the band at the foot, at which zeros are drawn; 0 for no band and no zeros
      * @param limitLabel what the band says
      */
-    Panel(String title, String xLabel, String yLabel, double limit, String limitLabel) {
+    public Panel(String title, String xLabel, String yLabel, double limit, String limitLabel) {
         this.title = title;
         this.xLabel = xLabel;
         this.yLabel = yLabel;
@@ -42,16 +43,22 @@ final class Panel {
     }
 
     /** Gives the x axis a band of none as well. */
-    Panel withBandOnBothAxes() {
+    public Panel withBandOnBothAxes() {
         besideX = true;
         return this;
     }
 
-    void point(String label, int series, double x, double low, double high, double y) {
+    /** Draws no Pareto front: for points that are not choices. */
+    public Panel withoutFront() {
+        front = false;
+        return this;
+    }
+
+    public void point(String label, int series, double x, double low, double high, double y) {
         points.add(new Point(label, series, x, low, high, y));
     }
 
-    void curve(String label, List<double[]> line) {
+    public void curve(String label, List<double[]> line) {
         curves.add(new Curve(label, line));
     }
 
@@ -117,7 +124,9 @@ final class Panel {
             line("<text class='axis' text-anchor='middle' transform='translate(13 %.1f) rotate(-90)'>%s</text>",
                     (TOP + height - BOTTOM) / 2.0, yLabel);
             curves.forEach(this::draw);
-            front();
+            if (front) {
+                front();
+            }
             points.forEach(this::draw);
             points.forEach(this::label);
             return out.toString();

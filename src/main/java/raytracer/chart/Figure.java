@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Panels in a grid under a heading, as an SVG file that is legible on white and on black. */
-final class Figure {
+public final class Figure {
 
     private static final int HEAD = 44;
     private static final int FOOT = 22;
@@ -34,7 +34,8 @@ final class Figure {
             .page { fill: #fff; }
             @media (prefers-color-scheme: dark) {
             .page { fill: #0d1117; }
-            text { fill: #ddd; } text.label { stroke: #0d1117; } .foot, .note { fill: #999; } .grid { stroke: #333; } .frame { stroke: #999; }
+            text { fill: #ddd; } text.label { stroke: #0d1117; } .foot, .note { fill: #999; }
+            .grid { stroke: #333; } .frame { stroke: #999; }
             .s0 { fill: #ff7b6b; stroke: #ff7b6b; } .s1 { fill: #f0b44c; stroke: #f0b44c; }
             .s2 { fill: #5dade2; stroke: #5dade2; } .s3 { fill: #c39bd3; stroke: #c39bd3; }
             .s4 { fill: #58d68d; stroke: #58d68d; }
@@ -52,7 +53,7 @@ final class Figure {
     private final List<Panel> panels = new ArrayList<>();
 
     /** @param width and height of one panel */
-    Figure(String heading, String foot, int columns, int width, int height) {
+    public Figure(String heading, String foot, int columns, int width, int height) {
         this.heading = heading;
         this.foot = foot;
         this.columns = columns;
@@ -60,23 +61,23 @@ final class Figure {
         this.height = height;
     }
 
-    void add(Panel panel) {
+    public void add(Panel panel) {
         panels.add(panel);
     }
 
-    void write(Path file) throws IOException {
+    public void write(Path file) throws IOException {
         int rows = (panels.size() + columns - 1) / columns;
         int w = columns * width, h = HEAD + rows * height + FOOT;
-        StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h
-                + "' width='" + w + "' height='" + h + "'>\n" + STYLE + "<rect class='page' width='" + w + "' height='" + h
-                + "'/>\n<text class='heading' x='14' y='27'>" + heading + "</text>\n");
+        String size = "width='" + w + "' height='" + h + "'";
+        StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h + "' "
+                + size + ">\n" + STYLE + "<rect class='page' " + size + "/>\n<text class='heading' x='14' y='27'>"
+                + heading + "</text>\n");
         for (int i = 0; i < panels.size(); i++) {
             svg.append("<g transform='translate(").append(i % columns * width).append(' ')
                     .append(HEAD + i / columns * height).append(")'>\n").append(panels.get(i).svg(width, height))
                     .append("</g>\n");
         }
         svg.append("<text class='foot' x='14' y='").append(h - 8).append("'>").append(foot).append("</text>\n</svg>\n");
-        Files.createDirectories(file.getParent());
         Files.writeString(file, svg);
     }
 }
