@@ -18,6 +18,8 @@ public final class Panel {
     /** @param low and high the quartiles of x */
     private record Point(String label, int series, double x, double low, double high, double y) { }
 
+    private record Line(double y, String label) { }
+
     private record Curve(String label, List<double[]> points) { }
 
     private final String title;
@@ -27,6 +29,7 @@ public final class Panel {
     private final String limitLabel;
     private final List<Point> points = new ArrayList<>();
     private final List<Curve> curves = new ArrayList<>();
+    private final List<Line> lines = new ArrayList<>();
     private boolean besideX;
     private boolean front = true;
 
@@ -46,6 +49,11 @@ public final class Panel {
     public Panel withBandOnBothAxes() {
         besideX = true;
         return this;
+    }
+
+    /** Draws a line at a height, and what it means. */
+    public void line(double y, String label) {
+        lines.add(new Line(y, label));
     }
 
     /** Draws no Pareto front: for points that are not choices. */
@@ -123,6 +131,7 @@ public final class Panel {
             text((LEFT + width - RIGHT) / 2.0, height - 8, "axis", "middle", xLabel);
             line("<text class='axis' text-anchor='middle' transform='translate(13 %.1f) rotate(-90)'>%s</text>",
                     (TOP + height - BOTTOM) / 2.0, yLabel);
+            lines.forEach(this::draw);
             curves.forEach(this::draw);
             if (front) {
                 front();
@@ -171,6 +180,12 @@ public final class Panel {
         private static String power(int e) {
             return e == 0 ? "1" : e == 1 ? "10" : e == 2 ? "100" : e == 3 ? "1000"
                     : "10<tspan dy='-5' font-size='8'>" + e + "</tspan>";
+        }
+
+        private void draw(Line at) {
+            double y = py(at.y);
+            line("<path class='front' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
+            text(width - RIGHT - 4, y - 4, "note", "end", at.label);
         }
 
         private void draw(Curve curve) {

@@ -15,22 +15,33 @@ public final class Main {
     /** The command line or a scene is wrong. */
     static final int BAD_INPUT = 2;
 
+    /** The picture is not the one it was compared with. */
+    static final int DIFFERS = 3;
+
     private static final String HELP = """
             usage: raytracer [options] SCENE...
-            Renders scene files to PNG pictures.
+            Renders scene files to PNG pictures. SCENE may be - for standard input.
 
-              -o, --output FILE  write here instead of the scene's 'output' (one scene only)
-                  --size WxH     override the scene's size
-                  --maxdepth N   override the scene's maxdepth
-                  --threads N    use N threads instead of one per core
-                  --quiet        no progress and no summary; errors and warnings stay
-                  --repeat N     render N times in this process, write once
-                  --stats FILE   write figures as JSON (one scene only)
-                  --check        parse and validate only, write nothing
-              -h, --help         this text
-                  --version      the version
+              -o, --output FILE     write here instead of the scene's 'output'; - for standard output
+                  --size WxH        override the scene's size
+                  --maxdepth N      override the scene's maxdepth
+                  --samples N       N x N samples a pixel (1 to 64; 1 is the reference picture)
+                  --samples auto:E  as many as an error of E takes; E is 1/255 if left out
+                  --region X,Y,W,H  render only this part of the picture
+                  --threads N       use N threads instead of one per core
+                  --compare FILE    compare with this picture; NAME-diff.png shows where they differ
+                  --tolerance N     by how much components may differ, 0 to 255 (with --compare)
+                  --chart FILE.svg  instead of a picture, chart time against error for this scene
+                  --chart-seconds N how long to measure for it, about (60)
+                  --quiet           no progress and no summary; errors and warnings stay
+                  --verbose         tell what was parsed and built, and how fast it went
+                  --repeat N        render N times in this process, write once
+                  --stats FILE      write figures as JSON
+                  --check           parse and validate only, write nothing
+              -h, --help            this text
+                  --version         the version
 
-            exit status: 0 done, 2 bad usage or bad scene, 1 anything else
+            exit status: 0 done, 2 bad usage or bad scene, 3 differs by more than the tolerance, 1 anything else
             """;
 
     private Main() { }
@@ -61,7 +72,7 @@ public final class Main {
         }
         int status = DONE;
         for (String scene : options.scenes()) {
-            status = Math.max(status, new Job(scene, options, err).run());
+            status = Math.max(status, new Job(scene, options, out, err).run());
         }
         return status;
     }

@@ -7,6 +7,8 @@ import java.util.stream.Collectors;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.tracer.RayCounts;
+import raytracer.tracer.Tracer;
+import raytracer.tracer.TreeFacts;
 
 /** The figures of one job, gathered as it goes. */
 final class Stats {
@@ -47,6 +49,29 @@ final class Stats {
                 repeats, millis(writeMillis), rays.primary(), rays.shadow(), rays.reflection(),
                 scene.mesh().triangles(), count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class),
                 scene.lights().size());
+    }
+
+    /** What was parsed and built. */
+    String sceneInWords(Scene scene, Tracer tracer) {
+        StringBuilder words = new StringBuilder(String.format(Locale.ROOT,
+                "parsed in %.0f ms: %d spheres, %d planes, %d triangles, %d lights, maxdepth %d%n", parseMillis,
+                count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class), scene.mesh().triangles(),
+                scene.lights().size(), scene.maxDepth()));
+        for (TreeFacts tree : tracer.trees()) {
+            words.append(String.format(Locale.ROOT, "tree of %d %s: %d nodes, depth %d, %.1f MB; beside it %d that are too wide%n",
+                    tree.things(), tree.kind(), tree.nodes(), tree.depth(), tree.bytes() / 1e6, tree.beside()));
+        }
+        return words.append(String.format(Locale.ROOT, "built in %.0f ms, %d threads%n", buildMillis, threads)).toString();
+    }
+
+    /** How fast it went. */
+    String timesInWords() {
+        double seconds = renderMillis.get(renderMillis.size() - 1) / 1e3;
+        Runtime java = Runtime.getRuntime();
+        return String.format(Locale.ROOT, "traced in %.0f ms: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
+                        + "written %.0f ms later; %d MB of memory in use, %d MB allowed%n",
+                seconds * 1e3, rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6, writeMillis,
+                java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
     }
 
     private static long count(Scene scene, Class<? extends Shape> kind) {

@@ -1,20 +1,14 @@
 package raytracer.image;
 
-import java.awt.Point;
-import java.awt.Transparency;
-import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
-import java.awt.image.ComponentColorModel;
-import java.awt.image.DataBuffer;
-import java.awt.image.DataBufferByte;
-import java.awt.image.Raster;
 import java.util.concurrent.atomic.LongAdder;
+import raytracer.tracer.PixelSink;
 
 /**
  * A picture of 8 bits a component, and the one place where linear colour becomes bytes. Threads may set different
  * pixels at the same time.
  */
-public final class Image {
+public final class Image implements PixelSink {
 
     private static final int COMPONENTS = 3;
 
@@ -29,11 +23,11 @@ public final class Image {
     /**
      * A black picture.
      *
-     * @throws IllegalArgumentException if {@link #bytes} is more than {@link #mostBytes}
+     * @throws IllegalArgumentException if it would be more than 2 GB
      */
     public Image(int width, int height) {
         if (bytes(width, height) > MOST_BYTES) {
-            throw new IllegalArgumentException(width + "x" + height + " is larger than a picture can be");
+            throw new IllegalArgumentException(width + "x" + height + " is larger than a picture in memory can be");
         }
         this.width = width;
         this.height = height;
@@ -46,10 +40,6 @@ public final class Image {
         return pixels > Long.MAX_VALUE / COMPONENTS ? Long.MAX_VALUE : COMPONENTS * pixels;
     }
 
-    public static long mostBytes() {
-        return MOST_BYTES;
-    }
-
     public int width() {
         return width;
     }
@@ -59,11 +49,15 @@ public final class Image {
     }
 
     /** Sets a pixel; each component is cut to [0, 1] and rounded to the nearest of 256 steps. */
+    @Override
     public void set(int x, int y, double red, double green, double blue) {
         if (Double.isNaN(red + green + blue)) {
             undefined.increment();
         }
-        int i = COMPONENTS * (y * width + x);
+        set(bytes, COMPONENTS * (y * width + x), red, green, blue);
+    }
+
+    static void set(byte[] bytes, int i, double red, double green, double blue) {
         bytes[i] = quantise(red);
         bytes[i + 1] = quantise(green);
         bytes[i + 2] = quantise(blue);
@@ -100,11 +94,6 @@ public final class Image {
 
     /** The same bytes as the standard library's picture. */
     public BufferedImage toBufferedImage() {
-        int[] offsets = {0, 1, 2};
-        ComponentColorModel model = new ComponentColorModel(
-                ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
-        return new BufferedImage(model, Raster.createInterleavedRaster(
-                new DataBufferByte(bytes, bytes.length), width, height, COMPONENTS * width, COMPONENTS, offsets,
-                new Point()), false, null);
+        return Rgb.picture(bytes, width, height);
     }
 }

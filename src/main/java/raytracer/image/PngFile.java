@@ -1,5 +1,6 @@
 package raytracer.image;
 
+import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -21,37 +22,66 @@ public final class PngFile {
 
     /** Loads the library's encoder, which takes a while the first time: for a thread that has nothing else to do. */
     public static void prepare() {
-        try (ImageOutputStream nowhere = new MemoryCacheImageOutputStream(OutputStream.nullOutputStream())) {
-            encode(new Image(1, 1), nowhere);
+        try {
+            write(new Image(1, 1).toBufferedImage(), OutputStream.nullOutputStream());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
     /**
-     * Writes a picture to a temporary file beside its place and moves it there.
+     * Writes a picture to a temporary file beside its place and moves it there. If the program is interrupted, the
+     * temporary file goes with it.
      *
      * @throws IOException if it cannot; then what was there is unchanged, and no other file is left
      */
-    public static void write(Image image, Path file) throws IOException {
+    public static void write(RenderedImage picture, Path file) throws IOException {
         Path place = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
         if (Files.exists(place) && !Files.isRegularFile(place)) {
             // A device or pipe such as /dev/null: it cannot be replaced or rewound, and holds nothing to be kept.
-            try (OutputStream device = Files.newOutputStream(place);
-                    ImageOutputStream out = new MemoryCacheImageOutputStream(device)) {
-                encode(image, out);
+            try (OutputStream device = Files.newOutputStream(place)) {
+                write(picture, device);
             }
             return;
         }
         Path temporary = place.resolveSibling("." + place.getFileName() + "." + ProcessHandle.current().pid() + ".tmp");
+        Thread cleaner = new Thread(() -> delete(temporary), "cleaner");
+        Runtime.getRuntime().addShutdownHook(cleaner);
         try {
+            // Left by a process that was killed and had the same number.
+            Files.deleteIfExists(temporary);
             Files.createFile(temporary);
             try (ImageOutputStream out = new FileImageOutputStream(temporary.toFile())) {
-                encode(image, out);
+                encode(picture, out);
             }
             move(temporary, place);
         } finally {
-            Files.deleteIfExists(temporary);
+            delete(temporary);
+            forget(cleaner);
+        }
+    }
+
+    /** Writes a picture to a stream, and leaves it open. */
+    public static void write(RenderedImage picture, OutputStream stream) throws IOException {
+        try (ImageOutputStream out = new MemoryCacheImageOutputStream(stream)) {
+            encode(picture, out);
+        }
+        stream.flush();
+    }
+
+    private static void delete(Path file) {
+        try {
+            Files.deleteIfExists(file);
+        } catch (IOException e) {
+            // Its folder has gone or become read-only: nothing can be done about the file, and the cause is told.
+        }
+    }
+
+    private static void forget(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            // The program is going down already, and the hook with it.
         }
     }
 
@@ -63,11 +93,11 @@ public final class PngFile {
         }
     }
 
-    private static void encode(Image image, ImageOutputStream out) throws IOException {
+    private static void encode(RenderedImage picture, ImageOutputStream out) throws IOException {
         ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
         try {
             writer.setOutput(out);
-            writer.write(new IIOImage(image.toBufferedImage(), null, null));
+            writer.write(new IIOImage(picture, null, null));
         } finally {
             writer.dispose();
         }

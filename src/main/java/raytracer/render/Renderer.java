@@ -1,51 +1,88 @@
 package raytracer.render;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.atomic.AtomicInteger;
-import raytracer.image.Image;
+import java.util.concurrent.atomic.AtomicLong;
+import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 
 /**
- * Renders a picture in tiles, from the top down, on a fixed number of threads. Each takes the next tile that nobody
- * has; a pixel does not depend on who traces it, so neither do the bytes.
+ * Renders a picture, or a part of one, in tiles from the top down on a fixed number of threads. Each takes the next tile
+ * that nobody has; a pixel does not depend on who traces it, nor on what else is rendered, so neither do the bytes.
  */
 public final class Renderer {
 
+    /** One tile in so many is looked at to know how many samples an adaptive picture takes. */
+    private static final int PILOT_STRIDE = 13;
+
+    /** The most tiles that are looked at for that. */
+    private static final int MOST_PILOTS = 4096;
+
     private final Tracer tracer;
+    private final Sampling sampling;
     private final int threads;
-    private final Image image;
-    private final int columns;
-    private final int tiles;
-    private final AtomicInteger next = new AtomicInteger();
-    private final AtomicInteger done = new AtomicInteger();
+    private final Tiles tiles;
+    private final PixelSink sink;
+    private final AtomicLong done = new AtomicLong();
 
-    /** Good for one rendering of the scene that the tracer was made for, into an image of its size. */
-    public Renderer(Tracer tracer, int threads, Image image) {
+    /**
+     * Good for one rendering.
+     *
+     * @param sink gets the pixels, counted from the region's corner
+     */
+    public Renderer(Tracer tracer, Sampling sampling, int threads, Region region, PixelSink sink) {
         this.tracer = tracer;
+        this.sampling = sampling;
         this.threads = threads;
-        this.image = image;
-        columns = tilesAlong(image.width());
-        tiles = Math.multiplyExact(columns, tilesAlong(image.height()));
+        this.sink = sink;
+        tiles = new Tiles(region);
     }
 
-    private static int tilesAlong(int pixels) {
-        return (int) ((pixels + Tracer.TILE_SIDE - 1L) / Tracer.TILE_SIDE);
-    }
-
-    /** Renders the whole picture; returns when it is done. */
+    /** Renders all of the region; returns when it is done. */
     public RayCounts render() {
         ExecutorService pool = Executors.newFixedThreadPool(threads, Renderer::daemon);
         try {
+            if (sampling instanceof Sampling.Adaptive adaptive) {
+                return renderAdaptively(adaptive.error(), pool);
+            }
+            return onAllThreads(pool, () -> work(sampling instanceof Sampling.Grid grid
+                    ? new GridSampler(tracer.newTileTracer(), grid.n())
+                    : new SequenceSampler(tracer.newTileTracer(), (Sampling.Sequence) sampling)));
+        } finally {
+            pool.shutdownNow();
+        }
+    }
+
+    private RayCounts renderAdaptively(double error, ExecutorService pool) {
+        // Of the whole picture, so that a part of it gets the same samples.
+        Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()));
+        int stride = (int) Math.max(PILOT_STRIDE, whole.count() / MOST_PILOTS);
+        double[][] variances = new double[(int) ((whole.count() + stride - 1) / stride)][];
+        RayCounts pilot = onAllThreads(pool,
+                () -> look(new AdaptiveSampler(tracer.newTileTracer(), error, null), whole, stride, variances));
+        long pixels = 0;
+        for (int i = 0; i < variances.length; i++) {
+            pixels += whole.pixels((long) i * stride);
+        }
+        SampleBudget budget = SampleBudget.plan(Arrays.stream(variances).flatMapToDouble(Arrays::stream).toArray(), pixels,
+                error, AdaptiveSampler.firstSamples(error));
+        return pilot.plus(onAllThreads(pool, () -> work(budget.grid() > 0
+                ? new GridSampler(tracer.newTileTracer(), budget.grid())
+                : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));
+    }
+
+    private RayCounts onAllThreads(ExecutorService pool, Callable<RayCounts> work) {
+        try {
             List<Future<RayCounts>> workers = new ArrayList<>();
             for (int i = 0; i < threads; i++) {
-                workers.add(pool.submit(this::work));
+                workers.add(pool.submit(work));
             }
             RayCounts total = RayCounts.ZERO;
             for (Future<RayCounts> worker : workers) {
@@ -56,12 +93,13 @@ public final class Renderer {
             if (e.getCause() instanceof Error error) {
                 throw error;
             }
+            if (e.getCause() instanceof RuntimeException exception) {
+                throw exception;
+            }
             throw new IllegalStateException(e.getCause());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("interrupted while rendering", e);
-        } finally {
-            pool.shutdownNow();
         }
     }
 
@@ -74,18 +112,28 @@ public final class Renderer {
 
     /** How much of the picture is done, from 0 to 1; any thread may ask. */
     public double progress() {
-        return (double) done.get() / tiles;
+        return (double) done.get() / tiles.count();
     }
 
-    private RayCounts work() {
-        TileTracer tileTracer = tracer.newTileTracer();
-        for (int tile; (tile = next.getAndIncrement()) < tiles; ) {
-            int left = tile % columns * Tracer.TILE_SIDE;
-            int top = tile / columns * Tracer.TILE_SIDE;
-            tileTracer.trace(left, top, Math.min(Tracer.TILE_SIDE, image.width() - left),
-                    Math.min(Tracer.TILE_SIDE, image.height() - top), image::set);
+    /** Measures the variances of every so many-th tile. */
+    private static RayCounts look(AdaptiveSampler sampler, Tiles whole, int stride, double[][] variances) {
+        for (long tile; (tile = whole.next(stride)) < whole.count(); ) {
+            variances[(int) (tile / stride)] = sampler.variances(
+                    whole.left(tile), whole.top(tile), whole.columns(tile), whole.rows(tile));
+        }
+        return sampler.counts();
+    }
+
+    private RayCounts work(Sampler sampler) {
+        int x0 = tiles.region().x(), y0 = tiles.region().y();
+        for (long tile; (tile = tiles.next(1)) < tiles.count(); ) {
+            int row = tiles.top(tile) - y0;
+            sink.awaitRoom(row);
+            sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile),
+                    (x, y, red, green, blue) -> sink.set(x - x0, y - y0, red, green, blue));
+            sink.tileDone(row, tiles.pixels(tile));
             done.incrementAndGet();
         }
-        return tileTracer.counts();
+        return sampler.counts();
     }
 }

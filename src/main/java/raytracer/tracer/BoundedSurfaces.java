@@ -19,6 +19,10 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     /** Whether the surface with this number among these is strictly between a point and its light. */
     abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
 
+    final TreeFacts facts() {
+        return TreeFacts.of(this instanceof Spheres ? "spheres" : "triangles", bvh);
+    }
+
     final int slot(int k) {
         return firstSlot + k;
     }

@@ -29,15 +29,19 @@ final class Pinhole {
         halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
     }
 
-    /**
-     * Makes rays through points of the picture: ray and pixel numbers agree.
-     *
-     * @param x of each point, in pixels from the left; y from the top
-     */
-    void aim(Rays rays, double[] x, double[] y, int count) {
+    int width() {
+        return width;
+    }
+
+    int height() {
+        return height;
+    }
+
+    /** Makes the rays through some of these points: a ray's pixel is the number of its sample. */
+    void aim(Rays rays, Samples samples, int from, int count) {
         rays.count = count;
         rays.leaveEye = true;
-        inUnitsOfDistance(x, y, rays.nx, rays.ny, count);
+        inUnitsOfDistance(samples.x, samples.y, from, rays.nx, rays.ny, count);
         component(rays.nx, rays.ny, right.x(), up.x(), backward.x(), rays.dx, count);
         component(rays.nx, rays.ny, right.y(), up.y(), backward.y(), rays.dy, count);
         component(rays.nx, rays.ny, right.z(), up.z(), backward.z(), rays.dz, count);
@@ -53,18 +57,18 @@ final class Pinhole {
         Arrays.fill(rays.green, 0, count, 1);
         Arrays.fill(rays.blue, 0, count, 1);
         for (int i = 0; i < count; i++) {
-            rays.pixel[i] = i;
+            rays.pixel[i] = from + i;
         }
     }
 
     /** Twice the position less the size is exact for pixels' centres in a picture of any size. */
-    private void inUnitsOfDistance(double[] x, double[] y, double[] a, double[] b, int count) {
+    private void inUnitsOfDistance(double[] x, double[] y, int from, double[] a, double[] b, int count) {
         double w = width, h = height;
         for (int i = 0; i < count; i++) {
-            a[i] = halfHeight * ((2 * x[i] - w) / h);
+            a[i] = halfHeight * ((2 * x[from + i] - w) / h);
         }
         for (int i = 0; i < count; i++) {
-            b[i] = halfHeight * ((h - 2 * y[i]) / h);
+            b[i] = halfHeight * ((h - 2 * y[from + i]) / h);
         }
     }
 

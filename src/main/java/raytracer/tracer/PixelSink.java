@@ -1,6 +1,6 @@
 package raytracer.tracer;
 
-/** Takes finished pixels. */
+/** Takes finished pixels, from many threads at the same time. */
 @FunctionalInterface
 public interface PixelSink {
 
@@ -10,4 +10,10 @@ public interface PixelSink {
      * @param red   linear, not cut to a range; so are the others
      */
     void set(int x, int y, double red, double green, double blue);
+
+    /** Waits until there is room for the pixels from this row down to the tile's end. */
+    default void awaitRoom(int row) { }
+
+    /** A tile of this many pixels is complete, whose first row this is. */
+    default void tileDone(int row, int pixels) { }
 }

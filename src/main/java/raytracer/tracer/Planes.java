@@ -98,6 +98,11 @@ final class Planes implements Surfaces {
     }
 
     @Override
+    public boolean isOfOneSurface() {
+        return false;
+    }
+
+    @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
             int k = rays.hit[i] - firstSlot;

@@ -31,8 +31,12 @@ final class Shading {
         return shadowCount;
     }
 
-    /** Shades rays from one index to another, which have arrived at surfaces of this material. */
-    void shade(Rays rays, int from, int to, Material material, Scratch scratch) {
+    /**
+     * Shades rays from one index to another, which have arrived at surfaces of this material.
+     *
+     * @param path by pixel: takes note of which lights are seen; may be null
+     */
+    void shade(Rays rays, int from, int to, Material material, int[] path, Scratch scratch) {
         Arrays.fill(red, from, to, material.ambient().red());
         Arrays.fill(green, from, to, material.ambient().green());
         Arrays.fill(blue, from, to, material.ambient().blue());
@@ -51,7 +55,21 @@ final class Shading {
                 kind.block(rays, shadows, from, to, scratch);
             }
             addLight(lamp.colour(), material, from, to, scratch);
+            if (path != null) {
+                extendPaths(path, rays.pixel, from, to);
+            }
         }
+    }
+
+    private void extendPaths(int[] path, int[] pixel, int from, int to) {
+        for (int i = from; i < to; i++) {
+            path[pixel[i]] = extendPath(path[pixel[i]], shadows.open[i] ? 1 : 0);
+        }
+    }
+
+    /** One more step of a path's number: different ones stay different but for chance. */
+    static int extendPath(int path, int step) {
+        return (path ^ step + 1) * 0x9E3779B1;
     }
 
     /** Computes the cosines that decide how much light the surface returns. */

@@ -225,6 +225,11 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
+    public boolean isOfOneSurface() {
+        return false;
+    }
+
+    @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         double[] cx = scratch.centreX, cy = scratch.centreY, cz = scratch.centreZ, r = scratch.radius;
         spheres(rays.hit, cx, cy, cz, r, from, to);

@@ -18,6 +18,9 @@ sealed interface Surfaces permits Planes, BoundedSurfaces {
     /** Whether a slot is one of these. */
     boolean owns(int slot);
 
+    /** Whether all that have one look are parts of one surface, as triangles are of a mesh. */
+    boolean isOfOneSurface();
+
     /**
      * Takes rays, from one index to another, that have met these to where they met them: their origins become those
      * points, with bounds on their errors, and the normals are set.

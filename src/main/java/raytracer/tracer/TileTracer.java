@@ -8,17 +8,17 @@ import raytracer.scene.Material;
 /**
  * Traces tiles, one after the other, for one thread. All of a tile's rays take each step together: they find the
  * nearest surface, move there, are shaded, and turn into their mirror images, as often as the depth allows. A ray
- * leaves the tile when it meets nothing or can no longer change its pixel.
+ * leaves when it meets nothing or can no longer change its pixel.
  */
 public final class TileTracer {
 
     /**
-     * Tiles are smaller until HotSpot has compiled the passes: one of 64 rounds that was called 600 times is compiled
+     * Fewer rays are traced together until HotSpot has compiled the passes: one of 64 rounds that was called 600 times is compiled
      * as a whole, but one of more has gone round 40,000 times before, and is compiled for the single call that it is in
      * first, to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
-    private static final int COLD_SIDE = 8;
-    private static final int COLD_RAYS = 1800 * COLD_SIDE * COLD_SIDE;
+    private static final int COLD_CAPACITY = 64;
+    private static final int COLD_RAYS = 1800 * COLD_CAPACITY;
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
@@ -31,12 +31,8 @@ public final class TileTracer {
     private final Shading shading;
     private final int[] kept = new int[Rays.CAPACITY];
 
-    // By pixel of the tile: where its ray goes through the picture, and the colour that it comes to.
-    private final double[] x = new double[Rays.CAPACITY];
-    private final double[] y = new double[Rays.CAPACITY];
-    private final double[] red = new double[Rays.CAPACITY];
-    private final double[] green = new double[Rays.CAPACITY];
-    private final double[] blue = new double[Rays.CAPACITY];
+    /** What is being traced: rays know their sample's number as their pixel. */
+    private Samples samples;
 
     private long primaryCount;
     private long reflectionCount;
@@ -51,51 +47,23 @@ public final class TileTracer {
         shading = new Shading(surfaces, lamps);
     }
 
-    /**
-     * Traces a rectangle of at most {@link Tracer#TILE_SIDE} pixels on each side.
-     *
-     * @param sink gets every pixel of the rectangle once
-     */
-    public void trace(int left, int top, int columns, int rows, PixelSink sink) {
-        int side = primaryCount < COLD_RAYS ? COLD_SIDE : Tracer.TILE_SIDE;
-        for (int y = 0; y < rows; y += side) {
-            for (int x = 0; x < columns; x += side) {
-                traceAtOnce(left + x, top + y, Math.min(side, columns - x), Math.min(side, rows - y), sink);
-            }
+    /** Traces the rays through all of these points, and sets their colours. */
+    public void trace(Samples all) {
+        samples = all;
+        int most = primaryCount < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
+        for (int from = 0; from < all.count; from += most) {
+            trace(from, Math.min(most, all.count - from));
         }
     }
 
-    private void traceAtOnce(int left, int top, int columns, int rows, PixelSink sink) {
-        pointAtCentres(left, top, columns, rows);
-        trace(columns * rows);
-        send(left, top, columns, rows, sink);
-    }
-
-    // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.
-
-    private void pointAtCentres(int left, int top, int columns, int rows) {
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                x[row * columns + column] = left + column + 0.5;
-                y[row * columns + column] = top + row + 0.5;
-            }
+    private void trace(int from, int count) {
+        Arrays.fill(samples.red, from, from + count, 0);
+        Arrays.fill(samples.green, from, from + count, 0);
+        Arrays.fill(samples.blue, from, from + count, 0);
+        if (samples.path != null) {
+            Arrays.fill(samples.path, from, from + count, 0);
         }
-    }
-
-    private void send(int left, int top, int columns, int rows, PixelSink sink) {
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                int i = row * columns + column;
-                sink.set(left + column, top + row, red[i], green[i], blue[i]);
-            }
-        }
-    }
-
-    private void trace(int count) {
-        Arrays.fill(red, 0, count, 0);
-        Arrays.fill(green, 0, count, 0);
-        Arrays.fill(blue, 0, count, 0);
-        pinhole.aim(rays, x, y, count);
+        pinhole.aim(rays, samples, from, count);
         primaryCount += count;
         for (int depth = 1; rays.count > 0; depth++) {
             findNearest();
@@ -107,6 +75,8 @@ public final class TileTracer {
             reflectionCount += rays.count;
         }
     }
+
+    // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.
 
     /** What this has traced since it was made. */
     public RayCounts counts() {
@@ -125,19 +95,30 @@ public final class TileTracer {
             for (Surfaces kind : surfaces) {
                 if (kind.owns(first)) {
                     kind.arrive(rays, groups.start(group), groups.end(group), scratch);
+                    if (samples.path != null) {
+                        extendPaths(groups.start(group), groups.end(group), kind.isOfOneSurface(), groups.look(group));
+                    }
                 }
             }
         }
     }
 
-    private void shade() {
-        for (int group = 0; group < groups.count(); group++) {
-            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], scratch);
+    private void extendPaths(int from, int to, boolean oneSurface, int look) {
+        for (int i = from; i < to; i++) {
+            int p = rays.pixel[i];
+            samples.path[p] = Shading.extendPath(samples.path[p], oneSurface ? look : material.length + rays.hit[i]);
         }
-        addToPixels();
     }
 
-    private void addToPixels() {
+    private void shade() {
+        for (int group = 0; group < groups.count(); group++) {
+            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], samples.path, scratch);
+        }
+        addToSamples();
+    }
+
+    private void addToSamples() {
+        double[] red = samples.red, green = samples.green, blue = samples.blue;
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
             red[p] += times(rays.red[i], shading.red[i]);
@@ -178,7 +159,8 @@ public final class TileTracer {
 
     private boolean canChange(int i) {
         int p = rays.pixel[i];
-        return rays.red[i] > 0 && red[p] < 1 || rays.green[i] > 0 && green[p] < 1 || rays.blue[i] > 0 && blue[p] < 1;
+        return rays.red[i] > 0 && samples.red[p] < 1 || rays.green[i] > 0 && samples.green[p] < 1
+                || rays.blue[i] > 0 && samples.blue[p] < 1;
     }
 
     /** A product in which nothing of something infinite is nothing: an infinite highlight, a black component. */

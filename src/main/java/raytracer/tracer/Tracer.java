@@ -20,12 +20,12 @@ public final class Tracer {
     private final List<Lamp> lamps;
     private final int maxDepth;
 
-    private Tracer(Scene scene, List<Surfaces> surfaces, SlotTable slots) {
+    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
+        this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.slots = slots;
-        pinhole = new Pinhole(scene);
-        lamps = scene.lights().stream().map(Lamp::of).toList();
-        maxDepth = scene.maxDepth();
+        this.lamps = lamps;
+        this.maxDepth = maxDepth;
     }
 
     /** @param threads how many threads build trees; what is built does not depend on it */
@@ -37,10 +37,32 @@ public final class Tracer {
             compiler.planes().ifPresent(surfaces::add);
             compiler.spheres().ifPresent(surfaces::add);
             compiler.triangles().ifPresent(surfaces::add);
-            return new Tracer(scene, List.copyOf(surfaces), compiler.slots());
+            return new Tracer(new Pinhole(scene), List.copyOf(surfaces), compiler.slots(),
+                    scene.lights().stream().map(Lamp::of).toList(), scene.maxDepth());
         } finally {
             pool.shutdown();
         }
+    }
+
+    /** The same scene, but that paths from the eye meet at most so many surfaces. */
+    public Tracer withMaxDepth(int newMaxDepth) {
+        return new Tracer(pinhole, surfaces, slots, lamps, newMaxDepth);
+    }
+
+    /** The picture's, in pixels. */
+    public int width() {
+        return pinhole.width();
+    }
+
+    /** The picture's, in pixels. */
+    public int height() {
+        return pinhole.height();
+    }
+
+    /** What was built; nothing for kinds of surfaces that the scene does not have. */
+    public List<TreeFacts> trees() {
+        return surfaces.stream().filter(kind -> kind instanceof BoundedSurfaces)
+                .map(kind -> ((BoundedSurfaces) kind).facts()).toList();
     }
 
     /** A tracer for one thread's use. */

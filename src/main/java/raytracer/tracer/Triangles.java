@@ -165,6 +165,11 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
+    public boolean isOfOneSurface() {
+        return true;
+    }
+
+    @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
             int at = STRIDE * number(rays.hit[i]);

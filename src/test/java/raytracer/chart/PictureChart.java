@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import raytracer.image.Image;
-import raytracer.render.Renderer;
+import raytracer.render.Rendering;
 import raytracer.scene.Scene;
 import raytracer.text.SceneParser;
 import raytracer.tracer.Textbook;
@@ -59,7 +59,7 @@ final class PictureChart {
         names.add("ours");
         Tracer tracer = Tracer.compile(scene, 1);
         works.add(() -> {
-            new Renderer(tracer, 1, image).render();
+            Rendering.of(tracer, 1, image).render();
             return image.rgb(0, 0);
         });
         for (Timing.Work work : works) {

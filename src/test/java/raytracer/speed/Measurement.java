@@ -13,7 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import raytracer.image.Image;
 import raytracer.image.PngFile;
-import raytracer.render.Renderer;
+import raytracer.render.Rendering;
 import raytracer.scene.Scene;
 import raytracer.text.SceneParser;
 import raytracer.tracer.RayCounts;
@@ -55,7 +55,7 @@ final class Measurement {
 
     Image picture() {
         Image image = new Image(scene.width(), scene.height());
-        new Renderer(Tracer.compile(scene, CORES), CORES, image).render();
+        Rendering.of(Tracer.compile(scene, CORES), CORES, image).render();
         return image;
     }
 
@@ -90,9 +90,9 @@ final class Measurement {
             long parsedAt = System.nanoTime();
             Tracer tracer = Tracer.compile(parsed, CORES);
             long builtAt = System.nanoTime();
-            new Renderer(tracer, CORES, image).render();
+            Rendering.of(tracer, CORES, image).render();
             long tracedAt = System.nanoTime();
-            PngFile.write(image, picture);
+            PngFile.write(image.toBufferedImage(), picture);
             long writtenAt = System.nanoTime();
             if (round >= 0) {
                 times[0][round] = (parsedAt - start) / 1e6;
@@ -137,7 +137,7 @@ final class Measurement {
         for (int round = -WARM_UP; round < ROUNDS; round++) {
             for (int k = 0; k < scenes.size(); k++) {
                 long start = System.nanoTime();
-                counts[k] = new Renderer(tracers.get(k), 1, image).render();
+                counts[k] = Rendering.of(tracers.get(k), 1, image).render();
                 if (round >= 0) {
                     times[k][round] = (System.nanoTime() - start) / 1e6;
                 }

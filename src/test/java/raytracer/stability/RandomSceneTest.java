@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracer.exact.ExactRenderer;
 import raytracer.image.Image;
-import raytracer.render.Renderer;
+import raytracer.render.Rendering;
 import raytracer.scene.Scene;
 import raytracer.text.SceneParser;
 import raytracer.tracer.Tracer;
@@ -54,7 +54,7 @@ class RandomSceneTest {
             throw new AssertionError(text, e);
         }
         Image image = new Image(WIDTH, HEIGHT);
-        new Renderer(Tracer.compile(scene, 1), 1, image).render();
+        Rendering.of(Tracer.compile(scene, 1), 1, image).render();
         ExactRenderer exact = new ExactRenderer(scene);
         return IntStream.range(0, WIDTH * HEIGHT)
                 .filter(i -> image.rgb(i % WIDTH, i / WIDTH) != exact.pixel(i % WIDTH, i / WIDTH)).count();

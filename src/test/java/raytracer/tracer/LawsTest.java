@@ -15,6 +15,9 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.render.Region;
+import raytracer.render.Renderer;
+import raytracer.render.Sampling;
 import raytracer.scene.Material;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
@@ -102,15 +105,17 @@ class LawsTest {
     void doesNotDependOnHowItIsCutIntoTiles() throws Exception {
         String text = scene(1, false, 0);
         double[] whole = Pictures.trace(text);
-        TileTracer tracer = Tracer.compile(Scenes.parse(text).scene(), 1).newTileTracer();
+        Tracer tracer = Tracer.compile(Scenes.parse(text).scene(), 1);
         int[] seen = {0};
         for (int top = 0; top < 30; top += 7) {
             for (int left = 0; left < 40; left += 3) {
-                tracer.trace(left, top, Math.min(3, 40 - left), Math.min(7, 30 - top), (x, y, r, g, b) -> {
-                    int i = 3 * (40 * y + x);
+                int x0 = left, y0 = top;
+                Region part = new Region(left, top, Math.min(3, 40 - left), Math.min(7, 30 - top));
+                new Renderer(tracer, Sampling.CENTRES, 1, part, (x, y, r, g, b) -> {
+                    int i = 3 * (40 * (y0 + y) + x0 + x);
                     assertArrayEquals(Arrays.copyOfRange(whole, i, i + 3), new double[] {r, g, b}, 0);
                     seen[0]++;
-                });
+                }).render();
             }
         }
         assertEquals(40 * 30, seen[0]);

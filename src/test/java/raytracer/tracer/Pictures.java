@@ -1,5 +1,8 @@
 package raytracer.tracer;
 
+import raytracer.render.Region;
+import raytracer.render.Renderer;
+import raytracer.render.Sampling;
 import raytracer.scene.Scene;
 import raytracer.text.Scenes;
 
@@ -11,18 +14,13 @@ public final class Pictures {
     /** The colours, three doubles a pixel, row by row from the top. */
     public static double[] trace(Scene scene) {
         double[] colours = new double[3 * scene.width() * scene.height()];
-        TileTracer tracer = Tracer.compile(scene, 2).newTileTracer();
-        for (int top = 0; top < scene.height(); top += Tracer.TILE_SIDE) {
-            for (int left = 0; left < scene.width(); left += Tracer.TILE_SIDE) {
-                tracer.trace(left, top, Math.min(Tracer.TILE_SIDE, scene.width() - left),
-                        Math.min(Tracer.TILE_SIDE, scene.height() - top), (x, y, red, green, blue) -> {
-                            int i = 3 * (y * scene.width() + x);
-                            colours[i] = red;
-                            colours[i + 1] = green;
-                            colours[i + 2] = blue;
-                        });
-            }
-        }
+        Region all = Region.whole(scene.width(), scene.height());
+        new Renderer(Tracer.compile(scene, 2), Sampling.CENTRES, 1, all, (x, y, red, green, blue) -> {
+            int i = 3 * (y * scene.width() + x);
+            colours[i] = red;
+            colours[i + 1] = green;
+            colours[i + 2] = blue;
+        }).render();
         return colours;
     }
 

@@ -1,0 +1,213 @@
+package raytracer.cli;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import raytracer.chart.Figure;
+import raytracer.chart.Panel;
+import raytracer.render.Canvas;
+import raytracer.render.Region;
+import raytracer.render.Renderer;
+import raytracer.render.Sampling;
+import raytracer.scene.Scene;
+import raytracer.tracer.Tracer;
+
+/**
+ * Charts time against error for a scene: renders it under a ladder of settings, in turns, and compares each picture with
+ * one of very many samples in another pattern.
+ */
+final class ChartJob {
+
+    /** No visible difference: one step of 256. */
+    private static final double VISIBLE = Sampling.Adaptive.INVISIBLE;
+
+    /** What rounding to 256 steps adds to the error of a picture, as the root of the mean square. */
+    private static final double QUANTISATION = 1 / (255 * Math.sqrt(12));
+
+    /** The part of the time for the picture to compare with, and the least and most samples of each of its halves. */
+    private static final double REFERENCE_PART = 0.4;
+    private static final int LEAST_SAMPLES = 64;
+    private static final int MOST_SAMPLES = 1024;
+
+    private static final int MOST_ROUNDS = 15;
+
+    private final Scene scene;
+    private final Options options;
+    private final PrintStream out;
+    private final PrintStream err;
+    private final Tracer tracer;
+    private final Stopwatch elapsed = new Stopwatch();
+
+    /** A way to render, and what came of it. */
+    private static final class Setting {
+        final String arguments;
+        final String label;
+        final int series;
+        final Sampling sampling;
+        final Tracer tracer;
+        final List<Double> millis = new ArrayList<>();
+        double error;
+
+        Setting(String arguments, String label, int series, Sampling sampling, Tracer tracer) {
+            this.arguments = arguments;
+            this.label = label;
+            this.series = series;
+            this.sampling = sampling;
+            this.tracer = tracer;
+        }
+
+        double quantile(double part) {
+            double[] sorted = millis.stream().mapToDouble(m -> m).sorted().toArray();
+            return sorted[(int) (part * (sorted.length - 1) + 0.5)];
+        }
+
+        double median() {
+            return quantile(0.5);
+        }
+    }
+
+    ChartJob(Scene scene, Options options, PrintStream out, PrintStream err) {
+        this.scene = scene;
+        this.options = options;
+        this.out = out;
+        this.err = err;
+        tracer = Tracer.compile(scene, options.threads());
+    }
+
+    int run() throws IOException {
+        Path svg = Reason.path(options.chart());
+        Path folder = svg.toAbsolutePath().getParent();
+        if (!Files.isDirectory(folder)) {
+            throw new IOException("cannot write " + svg + ": there is no directory " + folder + "; make it first");
+        }
+        List<Setting> settings = ladder();
+        double warm = warmUp(settings.get(0));
+        Canvas[] halves = references(warm);
+        Canvas reference = Canvas.mean(halves[0], halves[1]);
+        double floor = halves[0].rmse(halves[1]) / 2;
+        measure(settings, reference);
+        try {
+            draw(settings, floor, svg);
+            String name = svg.getFileName().toString();
+            Files.write(svg.resolveSibling(name.substring(0, name.length() - ".svg".length()) + ".csv"),
+                    table(settings, floor), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new IOException("cannot write " + svg + ": " + Reason.of(e), e);
+        }
+        out.println(sentence(settings));
+        return Main.DONE;
+    }
+
+    private List<Setting> ladder() {
+        List<Setting> all = new ArrayList<>();
+        for (int n : new int[] {1, 2, 3, 4, 6, 8}) {
+            all.add(new Setting("--samples " + n, n + "x" + n, 2, new Sampling.Grid(n), tracer));
+        }
+        for (int n : new int[] {64, 128, 255, 512, 1024}) {
+            all.add(new Setting("--samples auto:1/" + n, "auto 1/" + n, 4, new Sampling.Adaptive(1.0 / n), tracer));
+        }
+        for (int depth = 1; depth < scene.maxDepth() && depth < 1 << 16; depth *= 2) {
+            all.add(new Setting("--samples 4 --maxdepth " + depth, "4x4 depth " + depth, 0, new Sampling.Grid(4),
+                    tracer.withMaxDepth(depth)));
+        }
+        return all;
+    }
+
+    private Canvas render(Tracer with, Sampling sampling, String what) {
+        Canvas canvas = new Canvas(scene.width(), scene.height());
+        Renderer renderer = new Renderer(with, sampling, options.threads(),
+                Region.whole(scene.width(), scene.height()), canvas);
+        ProgressBar.during(renderer::render, err, options.quiet(), renderer::progress);
+        if (options.verbose()) {
+            err.printf(Locale.ROOT, "%.0f s: %s%n", elapsed.millis() / 1e3, what);
+        }
+        return canvas;
+    }
+
+    /** Lets Java compile; returns the milliseconds that one sample a pixel takes then. */
+    private double warmUp(Setting simplest) {
+        double best = Double.POSITIVE_INFINITY;
+        for (int round = 0; round < 8 && (round < 2 || elapsed.millis() < 100.0 * options.chartSeconds()); round++) {
+            Stopwatch time = new Stopwatch();
+            render(simplest.tracer, simplest.sampling, "warming up");
+            best = Math.min(best, time.millis());
+        }
+        return best;
+    }
+
+    /** Two pictures of which each is good to compare with; how they differ tells how good. */
+    private Canvas[] references(double millisPerSample) {
+        double affordable = REFERENCE_PART * 1e3 * options.chartSeconds() / 2 / millisPerSample;
+        int count = (int) Math.max(LEAST_SAMPLES, Math.min(MOST_SAMPLES, affordable));
+        Canvas[] halves = new Canvas[2];
+        for (int half = 0; half < 2; half++) {
+            halves[half] = render(tracer, new Sampling.Sequence(count, half * 0x5BD1E995), "half of the reference");
+        }
+        return halves;
+    }
+
+    /** In turns, so that what disturbs the machine disturbs all; until the time is up. */
+    private void measure(List<Setting> settings, Canvas reference) {
+        for (int round = 0; round < MOST_ROUNDS; round++) {
+            for (Setting setting : settings) {
+                if (round > 0 && elapsed.millis() > 1e3 * options.chartSeconds()) {
+                    return;
+                }
+                Stopwatch time = new Stopwatch();
+                Canvas canvas = render(setting.tracer, setting.sampling, setting.arguments);
+                setting.millis.add(time.millis());
+                setting.error = canvas.rmse(reference);
+            }
+        }
+    }
+
+    private void draw(List<Setting> settings, double floor, Path svg) throws IOException {
+        Panel panel = new Panel("", "milliseconds, " + options.threads() + " threads",
+                "RMSE of a range of [0, 1]", floor, "the reference's own error: below it nothing is known");
+        panel.line(VISIBLE, "1/255: no visible difference below");
+        Setting best = cheapestInvisible(settings);
+        for (Setting s : settings) {
+            panel.point(s == best ? s.label + " (cheapest invisible)" : s.label, s.series, s.median(), s.quantile(0.25),
+                    s.quantile(0.75), s.error);
+        }
+        String size = scene.width() + "x" + scene.height();
+        Figure figure = new Figure("Time against error: " + options.scenes().get(0).replaceAll("[<>&]", "") + ", " + size,
+                sentence(settings).replace("<", "&lt;"), 1, 900, 500);
+        figure.add(panel);
+        figure.write(svg);
+    }
+
+    private static Setting cheapestInvisible(List<Setting> settings) {
+        return settings.stream().filter(s -> Math.hypot(s.error, QUANTISATION) <= VISIBLE)
+                .min((a, b) -> Double.compare(a.median(), b.median())).orElse(null);
+    }
+
+    private static String sentence(List<Setting> settings) {
+        Setting best = cheapestInvisible(settings);
+        if (best != null) {
+            return String.format(Locale.ROOT, "The cheapest setting without a visible difference (RMSE below 1/255) is"
+                    + " %s: RMSE %.5f in %.0f ms.", best.arguments, best.error, best.median());
+        }
+        Setting closest = settings.stream().min((a, b) -> Double.compare(a.error, b.error)).orElseThrow();
+        return String.format(Locale.ROOT, "No setting is without a visible difference (RMSE below 1/255);"
+                + " the closest is %s: RMSE %.5f in %.0f ms.", closest.arguments, closest.error, closest.median());
+    }
+
+    private List<String> table(List<Setting> settings, double floor) {
+        List<String> lines = new ArrayList<>(Arrays.asList(
+                String.format(Locale.ROOT, "# %s %dx%d, %d threads, Java %s; the reference's own error: %.6f",
+                        options.scenes().get(0), scene.width(), scene.height(), options.threads(), Runtime.version(), floor),
+                "setting,median ms,lower quartile,upper quartile,rounds,rmse"));
+        for (Setting s : settings) {
+            lines.add(String.format(Locale.ROOT, "%s,%.1f,%.1f,%.1f,%d,%.6f", s.arguments, s.median(), s.quantile(0.25),
+                    s.quantile(0.75), s.millis.size(), s.error));
+        }
+        return lines;
+    }
+}

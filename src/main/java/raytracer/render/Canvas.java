@@ -1,0 +1,53 @@
+package raytracer.render;
+
+import raytracer.tracer.PixelSink;
+
+/** A picture of colours that are cut to [0, 1] but not rounded: to measure errors that are less than a step of 256. */
+public final class Canvas implements PixelSink {
+
+    private static final int COMPONENTS = 3;
+
+    private final int width;
+    private final float[] values;
+
+    public Canvas(int width, int height) {
+        this.width = width;
+        values = new float[Math.multiplyExact(COMPONENTS, Math.multiplyExact(width, height))];
+    }
+
+    @Override
+    public void set(int x, int y, double red, double green, double blue) {
+        int i = COMPONENTS * (y * width + x);
+        values[i] = cut(red);
+        values[i + 1] = cut(green);
+        values[i + 2] = cut(blue);
+    }
+
+    private static float cut(double c) {
+        return c > 0 ? c < 1 ? (float) c : 1 : 0;
+    }
+
+    /** One component of a pixel: 0 is red, 1 green, 2 blue. */
+    public double value(int x, int y, int component) {
+        return values[COMPONENTS * (y * width + x) + component];
+    }
+
+    /** The root of the mean square of the difference from a picture of the same size. */
+    public double rmse(Canvas other) {
+        double sum = 0;
+        for (int i = 0; i < values.length; i++) {
+            double d = values[i] - (double) other.values[i];
+            sum += d * d;
+        }
+        return Math.sqrt(sum / values.length);
+    }
+
+    /** The mean of two pictures of the same size. */
+    public static Canvas mean(Canvas a, Canvas b) {
+        Canvas mean = new Canvas(a.width, a.values.length / COMPONENTS / a.width);
+        for (int i = 0; i < mean.values.length; i++) {
+            mean.values[i] = (a.values[i] + b.values[i]) / 2;
+        }
+        return mean;
+    }
+}

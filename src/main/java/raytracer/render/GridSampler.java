@@ -1,0 +1,75 @@
+package raytracer.render;
+
+import raytracer.tracer.PixelSink;
+import raytracer.tracer.RayCounts;
+import raytracer.tracer.Samples;
+import raytracer.tracer.TileTracer;
+
+/** Every pixel is the mean of n x n samples on a regular grid, each cut to [0, 1] as if it were a pixel's colour. */
+final class GridSampler implements Sampler {
+
+    private final TileTracer tracer;
+    private final int n;
+    private final Samples samples = Samples.ofColour();
+
+    GridSampler(TileTracer tracer, int n) {
+        this.tracer = tracer;
+        this.n = n;
+    }
+
+    @Override
+    public void render(int left, int top, int columns, int rows, PixelSink sink) {
+        if (n == 1) {
+            renderCentres(left, top, columns, rows, sink);
+            return;
+        }
+        PixelMeans means = new PixelMeans(columns * rows);
+        for (int pixel = 0; pixel < columns * rows; pixel++) {
+            for (int k = 0; k < n * n; k++) {
+                samples.add(left + pixel % columns + position(k % n, n), top + pixel / columns + position(k / n, n));
+                means.expect(pixel);
+                if (samples.isFull()) {
+                    take(means);
+                }
+            }
+        }
+        take(means);
+        for (int pixel = 0; pixel < columns * rows; pixel++) {
+            means.send(pixel, left + pixel % columns, top + pixel / columns, sink);
+        }
+    }
+
+    private void take(PixelMeans means) {
+        tracer.trace(samples);
+        means.take(samples);
+        samples.count = 0;
+    }
+
+    /** The middle of part number i of a unit that is divided into n. */
+    static double position(int i, int n) {
+        return (i + 0.5) / n;
+    }
+
+    /** One sample a pixel is the pixel: the colour goes on uncut, and no means are kept. */
+    private void renderCentres(int left, int top, int columns, int rows, PixelSink sink) {
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                samples.add(left + column + 0.5, top + row + 0.5);
+            }
+        }
+        tracer.trace(samples);
+        send(left, top, columns, sink);
+        samples.count = 0;
+    }
+
+    private void send(int left, int top, int columns, PixelSink sink) {
+        for (int i = 0; i < samples.count; i++) {
+            sink.set(left + i % columns, top + i / columns, samples.red[i], samples.green[i], samples.blue[i]);
+        }
+    }
+
+    @Override
+    public RayCounts counts() {
+        return tracer.counts();
+    }
+}

@@ -1,0 +1,36 @@
+package raytracer.render;
+
+/** How many samples pixels get. */
+public sealed interface Sampling {
+
+    /** Every pixel: one sample, in the middle. */
+    Sampling CENTRES = new Grid(1);
+
+    /** The greatest {@link Grid#n}. */
+    int MOST = 64;
+
+    /** @param n along a pixel's side, from 1 to {@link #MOST} */
+    record Grid(int n) implements Sampling { }
+
+    /**
+     * Every pixel: samples in no regular pattern, to measure the others' errors by.
+     *
+     * @param count at least 1
+     * @param seed  of different ones, errors are different
+     */
+    record Sequence(int count, int seed) implements Sampling { }
+
+    /**
+     * As many as it takes.
+     *
+     * @param error the aim: the root of the mean square of the errors of all pixels' components, of a range of [0, 1]
+     */
+    record Adaptive(double error) implements Sampling {
+
+        /** The least error that can be aimed at. */
+        public static final double LEAST = 1e-4;
+
+        /** One step of a picture's 256: no visible difference. */
+        public static final double INVISIBLE = 1 / 255.0;
+    }
+}

@@ -1,0 +1,31 @@
+package raytracer.tracer;
+
+/**
+ * What is worth telling about a tree.
+ *
+ * @param kind   of surfaces, in the plural
+ * @param things how many are in the tree
+ * @param beside how many are beside it, and tried by every ray
+ * @param depth  the most nodes on a way from the root to a leaf
+ * @param bytes  the memory of its nodes
+ */
+public record TreeFacts(String kind, int things, int beside, int nodes, int depth, long bytes) {
+
+    static TreeFacts of(String kind, Bvh bvh) {
+        return new TreeFacts(kind, bvh.order().length - bvh.beside(), bvh.beside(), bvh.children().length / Bvh.WIDTH,
+                depth(bvh, bvh.root()), 4L * bvh.boxes().length + 4L * bvh.children().length);
+    }
+
+    private static int depth(Bvh bvh, int node) {
+        if (node < 0) {
+            return 0;
+        }
+        int deepest = 0;
+        for (int child = 0; child < Bvh.WIDTH; child++) {
+            if (bvh.boxes()[node * Bvh.BOX_STRIDE + child] <= bvh.boxes()[node * Bvh.BOX_STRIDE + Bvh.WIDTH + child]) {
+                deepest = Math.max(deepest, depth(bvh, bvh.children()[node * Bvh.WIDTH + child]));
+            }
+        }
+        return deepest + 1;
+    }
+}
