@@ -16,8 +16,12 @@ sealed interface Picture {
 
     PixelSink sink();
 
-    /** Renders it. */
-    RayCounts during(Supplier<RayCounts> rendering);
+    /**
+     * Renders it.
+     *
+     * @throws IOException if meanwhile it turns out that it cannot be written
+     */
+    RayCounts during(Supplier<RayCounts> rendering) throws IOException;
 
     /** Returns when it is written. */
     void write(Destination destination) throws IOException;
@@ -101,10 +105,13 @@ sealed interface Picture {
         }
 
         @Override
-        public RayCounts during(Supplier<RayCounts> rendering) {
+        public RayCounts during(Supplier<RayCounts> rendering) throws IOException {
             try {
                 return rendering.get();
             } catch (RuntimeException | Error e) {
+                if (e.getCause() instanceof IOException cannotWrite) {
+                    throw cannotWrite;
+                }
                 rows.fail(new IllegalStateException("the picture cannot be rendered", e));
                 throw e;
             }

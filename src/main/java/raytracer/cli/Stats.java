@@ -58,7 +58,7 @@ final class Stats {
                 count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class), scene.mesh().triangles(),
                 scene.lights().size(), scene.maxDepth()));
         for (TreeFacts tree : tracer.trees()) {
-            words.append(String.format(Locale.ROOT, "tree of %d %s: %d nodes, depth %d, %.1f MB; beside it %d that are too wide%n",
+            words.append(String.format(Locale.ROOT, "tree of %d %s: %d nodes, depth %d, %.1f MB; %d more are too wide for it%n",
                     tree.things(), tree.kind(), tree.nodes(), tree.depth(), tree.bytes() / 1e6, tree.beside()));
         }
         return words.append(String.format(Locale.ROOT, "built in %.0f ms, %d threads%n", buildMillis, threads)).toString();

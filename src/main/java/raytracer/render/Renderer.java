@@ -19,10 +19,12 @@ import raytracer.tracer.Tracer;
  */
 public final class Renderer {
 
-    /** One tile in so many is looked at to know how many samples an adaptive picture takes. */
+    /**
+     * To know how many samples an adaptive picture takes, one tile in so many is looked at; more of a small picture, so
+     * that there are enough, and fewer of a huge one.
+     */
     private static final int PILOT_STRIDE = 13;
-
-    /** The most tiles that are looked at for that. */
+    private static final int LEAST_PILOTS = 256;
     private static final int MOST_PILOTS = 4096;
 
     private final Tracer tracer;
@@ -63,7 +65,8 @@ public final class Renderer {
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
         // Of the whole picture, so that a part of it gets the same samples.
         Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()));
-        int stride = (int) Math.max(PILOT_STRIDE, whole.count() / MOST_PILOTS);
+        int stride = (int) Math.max(Math.max(1, whole.count() / MOST_PILOTS),
+                Math.min(PILOT_STRIDE, whole.count() / LEAST_PILOTS));
         double[][] variances = new double[(int) ((whole.count() + stride - 1) / stride)][];
         RayCounts pilot = onAllThreads(pool,
                 () -> look(new AdaptiveSampler(tracer.newTileTracer(), error, null), whole, stride, variances));

@@ -1,0 +1,160 @@
+package raytracer.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.scene.Scene;
+import raytracer.text.Scenes;
+import raytracer.tracer.RayCounts;
+import raytracer.tracer.Tracer;
+
+@DisplayName("Samples")
+class SamplingTest {
+
+    /** Thin things: a needle about a pixel wide, one of half that, and balls so far away that many share a pixel. */
+    private static String thin() {
+        StringBuilder s = new StringBuilder("""
+                size 160 120
+                camera 0 1 6 0 .6 0 0 1 0 45
+                maxdepth 3
+                point 4 6 5 .9 .9 .9
+                diffuse .6 .6 .6
+                specular .2 .2 .2
+                shininess 40
+                plane 0 0 0 0 1 0
+                diffuse .8 .2 .1
+                maxverts 6
+                vertex -1.5 0 0
+                vertex -1.46 0 0
+                vertex -.9 2.2 0
+                vertex 1.2 0 .5
+                vertex 1.22 0 .5
+                vertex 1.5 2 .5
+                tri 0 1 2
+                tri 3 4 5
+                diffuse .2 .4 .8
+                """);
+        for (int i = 0; i < 480; i++) {
+            s.append("sphere ").append(-8 + i % 40 * .4).append(" .06 ").append(-10 - i / 40 * .8).append(" .06\n");
+        }
+        return s.toString();
+    }
+
+    private static Scene scene(String name) throws Exception {
+        String text = name.equals("thin") ? thin() : Files.readString(Path.of("scenes", name + ".scene"));
+        return Scenes.parse(text).scene().withSize(160, 120);
+    }
+
+    private static Canvas render(Scene scene, Sampling sampling, RayCounts[] counts) {
+        Canvas canvas = new Canvas(scene.width(), scene.height());
+        counts[0] = new Renderer(Tracer.compile(scene, 2), sampling, 2, Region.whole(scene.width(), scene.height()), canvas)
+                .render();
+        return canvas;
+    }
+
+    private static final Map<String, Canvas> CONVERGED = new HashMap<>();
+
+    private static Canvas converged(String name, Scene scene) {
+        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Sequence(256, 1)));
+    }
+
+    private static Canvas render(Scene scene, Sampling sampling) {
+        return render(scene, sampling, new RayCounts[1]);
+    }
+
+    @Test
+    void onAGridAreThePixelsOfALargerPicture() throws Exception {
+        Scene scene = scene("first");
+        Canvas grid = render(scene, new Sampling.Grid(3));
+        Canvas large = render(scene.withSize(480, 360), Sampling.CENTRES);
+        for (int y = 0; y < 120; y++) {
+            for (int x = 0; x < 160; x++) {
+                for (int component = 0; component < 3; component++) {
+                    double sum = 0;
+                    for (int k = 0; k < 9; k++) {
+                        sum += large.value(3 * x + k % 3, 3 * y + k / 3, component);
+                    }
+                    assertEquals(sum / 9, grid.value(x, y, component), 1e-6);
+                }
+            }
+        }
+    }
+
+    @Test
+    void areCutBeforeTheyAreAveraged() throws Exception {
+        // A ball that shines at 5 times white, on black: its rim takes the share of the pixel that it covers.
+        Scene scene = Scenes.parse("size 32 32\ncamera 0 0 5 0 0 0 0 1 0 45\nambient 5 5 5\nsphere 0 0 0 1\n").scene();
+        Canvas canvas = render(scene, new Sampling.Grid(8));
+        int between = 0;
+        for (int i = 0; i < 32 * 32; i++) {
+            double v = canvas.value(i % 32, i / 32, 0);
+            assertTrue(v <= 1);
+            between += v > .1 && v < .9 ? 1 : 0;
+        }
+        assertTrue(between > 20, between + " on the rim");
+    }
+
+    /** The errors are less than the aim by as much as the aim lies between what whole numbers of samples reach. */
+    @ParameterizedTest(name = "auto on {0} keeps to an error of {1}")
+    @CsvSource({"thin, .0078", "thin, .0039", "thin, .002", "final, .0078", "final, .0039", "final, .002",
+        "sunflower, .0039", "island, .0039", "island, .002", "kaleidoscope, .0039"})
+    void keepToTheErrorThatIsAimedAt(String name, double aim) throws Exception {
+        Scene scene = scene(name);
+        double error = render(scene, new Sampling.Adaptive(aim)).rmse(converged(name, scene));
+        assertTrue(error <= 1.2 * aim, error + " instead of " + aim);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"thin", "first"})
+    void areFewerThanOnAGridOfTheSameError(String name) throws Exception {
+        Scene scene = scene(name);
+        Canvas reference = converged(name, scene);
+        double grid = render(scene, new Sampling.Grid(6)).rmse(reference);
+        RayCounts[] counts = new RayCounts[1];
+        double adaptive = render(scene, new Sampling.Adaptive(grid), counts).rmse(reference);
+        assertTrue(adaptive <= 1.2 * grid, adaptive + " instead of " + grid);
+        assertTrue(counts[0].primary() < 36 / 1.5 * 160 * 120, counts[0].primary() / (160.0 * 120) + " samples a pixel");
+    }
+
+    @Test
+    void areOneAPixelWhereAllIsEven() throws Exception {
+        Scene scene = Scenes.parse("size 640 480\ncamera 0 0 5 0 0 0 0 1 0 45\nambient .2 .4 .6\nplane 0 0 0 0 0 1\n").scene();
+        RayCounts[] counts = new RayCounts[1];
+        render(scene, new Sampling.Adaptive(.0039), counts);
+        assertTrue(counts[0].primary() < 1.7 * 640 * 480, counts[0].primary() + " rays");
+    }
+
+    @Test
+    void aNeedleOfAPixelsWidthHasNoGaps() throws Exception {
+        Scene scene = Scenes.parse("""
+                size 160 120
+                camera 0 0 6 0 0 0 0 1 0 45
+                ambient 1 1 1
+                maxverts 4
+                vertex -.4 -2 0
+                vertex -.36 -2 0
+                vertex .44 2 0
+                vertex .4 2 0
+                tri 0 1 2
+                tri 0 2 3
+                """).scene();
+        Canvas exact = render(scene, new Sampling.Sequence(400, 1)), auto = render(scene, new Sampling.Adaptive(1 / 255.0));
+        for (int y = 13; y < 107; y++) {
+            double wanted = 0, found = 0;
+            for (int x = 0; x < 160; x++) {
+                wanted += exact.value(x, y, 0);
+                found += auto.value(x, y, 0);
+            }
+            assertEquals(wanted, found, .2 * wanted, "row " + y);
+        }
+    }
+}
