@@ -6,6 +6,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import javax.imageio.IIOException;
 
 /** Why a file operation failed, in words; the library's messages for some are just the file's name. */
 final class Reason {
@@ -21,6 +22,9 @@ final class Reason {
         }
         if (e instanceof FileSystemException system && system.getReason() != null) {
             return system.getReason();
+        }
+        if (e instanceof IIOException && e.getCause() instanceof IOException cause) {
+            return of(cause);
         }
         return e.getMessage() == null ? e.toString() : e.getMessage();
     }
