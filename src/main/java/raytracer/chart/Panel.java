@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes), and a band
- * at the foot for results that cannot be told from none.
+ * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes), and a
+ * band at the foot for results that cannot be told from none.
  */
 public final class Panel {
 
@@ -112,7 +112,8 @@ public final class Panel {
                 high = Math.max(high, 10 * band);
             }
             double first = Math.floor(Math.log10(low) - .001), last = Math.ceil(Math.log10(high) + .05);
-            return new double[] {band > 0 ? Math.min(first, Math.floor(Math.log10(band) - .3)) : first, Math.max(last, first + 1)};
+            double foot = band > 0 ? Math.min(first, Math.floor(Math.log10(band) - .3)) : first;
+            return new double[] {foot, Math.max(last, first + 1)};
         }
 
         private double px(double x) {
@@ -232,7 +233,8 @@ public final class Panel {
             for (double[] place : places) {
                 double[] box = {x + place[0], y + place[1] - 9, x + place[0] + length, y + place[1] + 2};
                 boolean free = box[0] > LEFT && box[2] < width && box[1] > TOP - 10 && box[3] < height - BOTTOM + 2
-                        && taken.stream().allMatch(t -> box[2] < t[0] || box[0] > t[2] || box[3] < t[1] || box[1] > t[3]);
+                        && taken.stream().allMatch(
+                                t -> box[2] < t[0] || box[0] > t[2] || box[3] < t[1] || box[1] > t[3]);
                 if (free) {
                     taken.add(box);
                     text(box[0], box[3] - 2, "label s" + p.series, "start", p.label);

@@ -30,13 +30,12 @@ final class AdaptiveSampler implements Sampler {
     private final int first;
     private final SampleBudget budget;
     private final Samples samples = Samples.ofColourAndPath();
+    private final Points points = new Points();
 
     private int columns;
     private int rows;
+    /** By pixel of the rectangle with a rim of one pixel. */
     private PixelMeans means;
-    // By pixel of the rectangle with a rim of one pixel: the path of all its samples, and whether they have the same.
-    private int[] path;
-    private boolean[] mixed;
 
     /** @param budget null if this is only to measure variances */
     AdaptiveSampler(TileTracer tracer, double error, SampleBudget budget) {
@@ -67,7 +66,7 @@ final class AdaptiveSampler implements Sampler {
         take();
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (isInside(pixel)) {
-                means.send(pixel, x(left, pixel), y(top, pixel), sink);
+                sink.set(x(left, pixel), y(top, pixel), means.red(pixel), means.green(pixel), means.blue(pixel));
             }
         }
     }
@@ -85,8 +84,6 @@ final class AdaptiveSampler implements Sampler {
         this.rows = rows + 2;
         int pixels = this.columns * this.rows;
         means = new PixelMeans(pixels);
-        path = new int[pixels];
-        mixed = new boolean[pixels];
         for (int pixel = 0; pixel < pixels; pixel++) {
             addGrid(left, top, pixel, first);
         }
@@ -121,7 +118,7 @@ final class AdaptiveSampler implements Sampler {
     private boolean isSettled(int pixel) {
         for (int row = -columns; row <= columns; row += columns) {
             for (int neighbour = pixel + row - 1; neighbour <= pixel + row + 1; neighbour++) {
-                if (mixed[neighbour] || path[neighbour] != path[pixel]) {
+                if (!means.areAlike(pixel, neighbour)) {
                     return false;
                 }
             }
@@ -138,20 +135,11 @@ final class AdaptiveSampler implements Sampler {
     }
 
     private void addGrid(int left, int top, int pixel, int n) {
-        for (int k = 0; k < n * n; k++) {
-            samples.add(x(left, pixel) + GridSampler.position(k % n, n), y(top, pixel) + GridSampler.position(k / n, n));
-            means.expect(pixel);
-            if (samples.isFull()) {
-                take();
-            }
-        }
+        points.addGrid(pixel, x(left, pixel), y(top, pixel), n);
     }
 
     private void take() {
-        tracer.trace(samples);
-        means.notePaths(samples, path, mixed);
-        means.take(samples);
-        samples.count = 0;
+        points.trace(tracer, samples, means);
     }
 
     @Override

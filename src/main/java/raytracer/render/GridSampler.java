@@ -11,6 +11,7 @@ final class GridSampler implements Sampler {
     private final TileTracer tracer;
     private final int n;
     private final Samples samples = Samples.ofColour();
+    private final Points points = new Points();
 
     GridSampler(TileTracer tracer, int n) {
         this.tracer = tracer;
@@ -24,42 +25,31 @@ final class GridSampler implements Sampler {
             return;
         }
         PixelMeans means = new PixelMeans(columns * rows);
-        for (int pixel = 0; pixel < columns * rows; pixel++) {
-            for (int k = 0; k < n * n; k++) {
-                samples.add(left + pixel % columns + position(k % n, n), top + pixel / columns + position(k / n, n));
-                means.expect(pixel);
-                if (samples.isFull()) {
-                    take(means);
-                }
-            }
-        }
-        take(means);
-        for (int pixel = 0; pixel < columns * rows; pixel++) {
-            means.send(pixel, left + pixel % columns, top + pixel / columns, sink);
-        }
+        addGrids(left, top, columns, rows);
+        points.trace(tracer, samples, means);
+        means.send(left, top, columns, rows, sink);
     }
 
-    private void take(PixelMeans means) {
-        tracer.trace(samples);
-        means.take(samples);
-        samples.count = 0;
-    }
-
-    /** The middle of part number i of a unit that is divided into n. */
-    static double position(int i, int n) {
-        return (i + 0.5) / n;
+    private void addGrids(int left, int top, int columns, int rows) {
+        for (int pixel = 0; pixel < columns * rows; pixel++) {
+            points.addGrid(pixel, left + pixel % columns, top + pixel / columns, n);
+        }
     }
 
     /** One sample a pixel is the pixel: the colour goes on uncut, and no means are kept. */
     private void renderCentres(int left, int top, int columns, int rows, PixelSink sink) {
+        pointAtCentres(left, top, columns, rows);
+        tracer.trace(samples);
+        send(left, top, columns, sink);
+        samples.count = 0;
+    }
+
+    private void pointAtCentres(int left, int top, int columns, int rows) {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 samples.add(left + column + 0.5, top + row + 0.5);
             }
         }
-        tracer.trace(samples);
-        send(left, top, columns, sink);
-        samples.count = 0;
     }
 
     private void send(int left, int top, int columns, PixelSink sink) {

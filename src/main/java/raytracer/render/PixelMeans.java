@@ -12,9 +12,9 @@ final class PixelMeans {
     private final double[] squares;
     private final int[] count;
 
-    // By sample: which pixel it belongs to.
-    private final int[] pixel = new int[Samples.CAPACITY];
-    private int expected;
+    /** The path of a pixel's samples, and whether they have more than one; if samples have paths. */
+    private final int[] path;
+    private final boolean[] mixed;
 
     PixelMeans(int pixels) {
         red = new double[pixels];
@@ -22,27 +22,17 @@ final class PixelMeans {
         blue = new double[pixels];
         squares = new double[pixels];
         count = new int[pixels];
+        path = new int[pixels];
+        mixed = new boolean[pixels];
     }
 
-    /** The next sample will be one of this pixel. */
-    void expect(int of) {
-        pixel[expected++] = of;
-    }
-
-    /** Notes each pixel's path, and whether its samples have different ones; before they are taken. */
-    void notePaths(Samples samples, int[] path, boolean[] mixed) {
-        for (int i = 0; i < expected; i++) {
-            int p = pixel[i];
-            boolean first = count[p] == 0 && (i == 0 || pixel[i - 1] != p);
-            mixed[p] |= !first && path[p] != samples.path[i];
-            path[p] = samples.path[i];
+    /** @param pixel of each sample, from index {@code first} on */
+    void take(Samples samples, int[] pixel, int first) {
+        if (samples.path != null) {
+            takePaths(samples, pixel, first);
         }
-    }
-
-    /** Takes the samples that are expected. */
-    void take(Samples samples) {
-        for (int i = 0; i < expected; i++) {
-            int p = pixel[i];
+        for (int i = 0; i < samples.count; i++) {
+            int p = pixel[first + i];
             double r = cut(samples.red[i]), g = cut(samples.green[i]), b = cut(samples.blue[i]);
             red[p] += r;
             green[p] += g;
@@ -50,7 +40,20 @@ final class PixelMeans {
             squares[p] += r * r + g * g + b * b;
             count[p]++;
         }
-        expected = 0;
+    }
+
+    private void takePaths(Samples samples, int[] pixel, int first) {
+        for (int i = 0; i < samples.count; i++) {
+            int p = pixel[first + i];
+            boolean isFirst = count[p] == 0 && (i == 0 || pixel[first + i - 1] != p);
+            mixed[p] |= !isFirst && path[p] != samples.path[i];
+            path[p] = samples.path[i];
+        }
+    }
+
+    /** Whether all samples of two pixels have the same path. */
+    boolean areAlike(int p, int q) {
+        return !mixed[p] && !mixed[q] && path[p] == path[q];
     }
 
     /** To [0, 1]; what is no number stays none. */
@@ -83,7 +86,10 @@ final class PixelMeans {
         return variance > 0 ? variance : 0;
     }
 
-    void send(int p, int x, int y, PixelSink sink) {
-        sink.set(x, y, red(p), green(p), blue(p));
+    /** Sends all pixels of a rectangle, of which these are the means. */
+    void send(int left, int top, int columns, int rows, PixelSink sink) {
+        for (int p = 0; p < columns * rows; p++) {
+            sink.set(left + p % columns, top + p / columns, red(p), green(p), blue(p));
+        }
     }
 }

@@ -17,6 +17,7 @@ final class SequenceSampler implements Sampler {
     private final TileTracer tracer;
     private final Sampling.Sequence sequence;
     private final Samples samples = Samples.ofColour();
+    private final Points points = new Points();
 
     SequenceSampler(TileTracer tracer, Sampling.Sequence sequence) {
         this.tracer = tracer;
@@ -27,31 +28,23 @@ final class SequenceSampler implements Sampler {
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
         PixelMeans means = new PixelMeans(columns * rows);
         for (int pixel = 0; pixel < columns * rows; pixel++) {
-            int x = left + pixel % columns, y = top + pixel / columns;
-            int hash = (x * 0x9E3779B1 ^ y) * 0x85EBCA6B ^ sequence.seed();
-            double shiftX = (hash >>> 16 & 0xFFFF) / 65536.0, shiftY = ((hash * 0xC2B2AE35) >>> 16 & 0xFFFF) / 65536.0;
-            for (int k = 0; k < sequence.count(); k++) {
-                samples.add(x + fraction(shiftX + k / PLASTIC), y + fraction(shiftY + k / (PLASTIC * PLASTIC)));
-                means.expect(pixel);
-                if (samples.isFull()) {
-                    take(means);
-                }
-            }
+            addSequence(pixel, left + pixel % columns, top + pixel / columns);
+            // One at a time, as there may be very many samples a pixel.
+            points.trace(tracer, samples, means);
         }
-        take(means);
-        for (int pixel = 0; pixel < columns * rows; pixel++) {
-            means.send(pixel, left + pixel % columns, top + pixel / columns, sink);
+        means.send(left, top, columns, rows, sink);
+    }
+
+    private void addSequence(int pixel, int x, int y) {
+        int hash = (x * 0x9E3779B1 ^ y) * 0x85EBCA6B ^ sequence.seed();
+        double shiftX = (hash >>> 16) / 65536.0, shiftY = ((hash * 0xC2B2AE35) >>> 16) / 65536.0;
+        for (int k = 0; k < sequence.count(); k++) {
+            points.add(pixel, x + fraction(shiftX + k / PLASTIC), y + fraction(shiftY + k / (PLASTIC * PLASTIC)));
         }
     }
 
     private static double fraction(double v) {
         return v - Math.floor(v);
-    }
-
-    private void take(PixelMeans means) {
-        tracer.trace(samples);
-        means.take(samples);
-        samples.count = 0;
     }
 
     @Override

@@ -38,10 +38,6 @@ public final class Samples {
         return new Samples(new int[CAPACITY]);
     }
 
-    public boolean isFull() {
-        return count == CAPACITY;
-    }
-
     /** Adds a point. */
     public void add(double atX, double atY) {
         x[count] = atX;
