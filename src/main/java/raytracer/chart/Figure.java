@@ -69,9 +69,9 @@ public final class Figure {
         int rows = (panels.size() + columns - 1) / columns;
         int w = columns * width, h = HEAD + rows * height + FOOT;
         String size = "width='" + w + "' height='" + h + "'";
-        StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h + "' "
-                + size + ">\n" + STYLE + "<rect class='page' " + size + "/>\n<text class='heading' x='14' y='27'>"
-                + heading + "</text>\n");
+        StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h
+                + "' " + size + ">\n" + STYLE + "<rect class='page' " + size + "/>\n"
+                + "<text class='heading' x='14' y='27'>" + heading + "</text>\n");
         for (int i = 0; i < panels.size(); i++) {
             svg.append("<g transform='translate(").append(i % columns * width).append(' ')
                     .append(HEAD + i / columns * height).append(")'>\n").append(panels.get(i).svg(width, height))

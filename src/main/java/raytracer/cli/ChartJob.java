@@ -19,8 +19,8 @@ import raytracer.scene.Scene;
 import raytracer.tracer.Tracer;
 
 /**
- * Charts time against error for a scene: renders it under a ladder of settings, in turns, and compares each picture with
- * one of very many samples in another pattern.
+ * Charts time against error for a scene: renders it under a ladder of settings, in turns, and compares each picture
+ * with one of very many samples in another pattern.
  */
 final class ChartJob {
 
@@ -177,7 +177,8 @@ final class ChartJob {
                     s.quantile(0.75), s.error);
         }
         String size = scene.width() + "x" + scene.height();
-        Figure figure = new Figure("Time against error: " + options.scenes().get(0).replaceAll("[<>&]", "") + ", " + size,
+        String name = options.scenes().get(0).replaceAll("[<>&]", "");
+        Figure figure = new Figure("Time against error: " + name + ", " + size,
                 sentence(settings).replace("<", "&lt;"), 1, 900, 500);
         figure.add(panel);
         figure.write(svg);
@@ -202,7 +203,8 @@ final class ChartJob {
     private List<String> table(List<Setting> settings, double floor) {
         List<String> lines = new ArrayList<>(Arrays.asList(
                 String.format(Locale.ROOT, "# %s %dx%d, %d threads, Java %s; the reference's own error: %.6f",
-                        options.scenes().get(0), scene.width(), scene.height(), options.threads(), Runtime.version(), floor),
+                        options.scenes().get(0), scene.width(), scene.height(), options.threads(), Runtime.version(),
+                        floor),
                 "setting,median ms,lower quartile,upper quartile,rounds,rmse"));
         for (Setting s : settings) {
             lines.add(String.format(Locale.ROOT, "%s,%.1f,%.1f,%.1f,%d,%.6f", s.arguments, s.median(), s.quantile(0.25),

@@ -16,7 +16,7 @@ import raytracer.scene.Scene;
  */
 record Destination(Path file, PrintStream standardOutput) {
 
-    /** What the options say, or else the scene; somebody else's file, so what it names stays in the working directory. */
+    /** As the options say, or else the scene. That is somebody else's: what it names stays in the working directory. */
     static Destination of(Options options, Scene scene, PrintStream out) throws UsageException, IOException {
         if (Options.STANDARD.equals(options.output())) {
             return new Destination(null, out);

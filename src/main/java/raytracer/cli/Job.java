@@ -130,10 +130,11 @@ final class Job {
         if (region == null) {
             return Region.whole(scene.width(), scene.height());
         }
-        if ((long) region.x() + region.width() > scene.width() || (long) region.y() + region.height() > scene.height()) {
+        long right = (long) region.x() + region.width(), bottom = (long) region.y() + region.height();
+        if (right > scene.width() || bottom > scene.height()) {
             throw new UsageException("expected --region to be inside the picture of " + scene.width() + "x"
-                    + scene.height() + ", found columns " + region.x() + " to " + ((long) region.x() + region.width() - 1)
-                    + " and rows " + region.y() + " to " + ((long) region.y() + region.height() - 1));
+                    + scene.height() + ", found columns " + region.x() + " to " + (right - 1) + " and rows "
+                    + region.y() + " to " + (bottom - 1));
         }
         return region;
     }

@@ -26,7 +26,8 @@ record Reference(String file, BufferedImage picture, int tolerance) {
             throw new IOException("cannot read the reference " + file + ": " + Reason.of(e), e);
         }
         if (picture == null) {
-            throw new IOException("cannot read the reference " + file + ": it is no PNG, nor another kind that Java reads");
+            throw new IOException("cannot read the reference " + file
+                    + ": it is no PNG, nor another kind that Java reads");
         }
         if (picture.getWidth() != region.width() || picture.getHeight() != region.height()) {
             throw new UsageException("expected the reference " + file + " to be " + region.width() + "x"

@@ -58,20 +58,23 @@ final class Stats {
                 count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class), scene.mesh().triangles(),
                 scene.lights().size(), scene.maxDepth()));
         for (TreeFacts tree : tracer.trees()) {
-            words.append(String.format(Locale.ROOT, "tree of %d %s: %d nodes, depth %d, %.1f MB; %d more are too wide for it%n",
-                    tree.things(), tree.kind(), tree.nodes(), tree.depth(), tree.bytes() / 1e6, tree.beside()));
+            words.append(String.format(Locale.ROOT,
+                    "tree of %d %s: %d nodes, depth %d, %.1f MB; %d more are too wide for it%n", tree.things(),
+                    tree.kind(), tree.nodes(), tree.depth(), tree.bytes() / 1e6, tree.beside()));
         }
-        return words.append(String.format(Locale.ROOT, "built in %.0f ms, %d threads%n", buildMillis, threads)).toString();
+        words.append(String.format(Locale.ROOT, "built in %.0f ms, %d threads%n", buildMillis, threads));
+        return words.toString();
     }
 
     /** How fast it went. */
     String timesInWords() {
         double seconds = renderMillis.get(renderMillis.size() - 1) / 1e3;
         Runtime java = Runtime.getRuntime();
-        return String.format(Locale.ROOT, "traced in %.0f ms: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
+        return String.format(Locale.ROOT,
+                "traced in %.0f ms: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
                         + "written %.0f ms later; %d MB of memory in use, %d MB allowed%n",
-                seconds * 1e3, rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6, writeMillis,
-                java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
+                seconds * 1e3, rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6,
+                writeMillis, java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
     }
 
     private static long count(Scene scene, Class<? extends Shape> kind) {

@@ -12,9 +12,9 @@ import java.util.concurrent.atomic.LongAdder;
 import raytracer.tracer.PixelSink;
 
 /**
- * A picture that is encoded while it is being rendered: threads set pixels in bands of rows, the encoder takes rows from
- * the top, and a band is forgotten when it has been taken. Whoever is ahead waits, so that memory does not grow with the
- * picture's height.
+ * A picture that is encoded while it is being rendered: threads set pixels in bands of rows, the encoder takes rows
+ * from the top, and a band is forgotten when it has been taken. Whoever is ahead waits, so that memory does not grow
+ * with the picture's height.
  */
 public final class RowStream implements PixelSink, RenderedImage {
 

@@ -9,9 +9,9 @@ import raytracer.tracer.Tracer;
 
 /**
  * Spends samples where a pixel is not settled. A first pass takes a few samples of every pixel and of those around; a
- * pixel whose neighbourhood shows the same surfaces in the same light by way of the same mirrors, in colours that change
- * evenly, is settled. All others get a closer look; by how much its samples differ decides whether they will do or how
- * many the pixel gets in their place ({@link SampleBudget}).
+ * pixel whose neighbourhood shows the same surfaces in the same light by way of the same mirrors, in colours that
+ * change evenly, is settled. All others get a closer look; by how much its samples differ decides whether they will
+ * do or how many the pixel gets in their place ({@link SampleBudget}).
  */
 final class AdaptiveSampler implements Sampler {
 

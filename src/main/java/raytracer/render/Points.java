@@ -31,8 +31,8 @@ final class Points {
     }
 
     /**
-     * Traces all points, adds their colours to the means of their pixels, and forgets them. No loop over points is here:
-     * C2 would compile the whole tracer into it, for seconds.
+     * Traces all points, adds their colours to the means of their pixels, and forgets them. No loop over points is
+     * here: C2 would compile the whole tracer into it, for seconds.
      */
     void trace(TileTracer tracer, Samples samples, PixelMeans means) {
         for (int from = 0; from < count; from += Samples.CAPACITY) {

@@ -14,8 +14,9 @@ import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
 
 /**
- * Renders a picture, or a part of one, in tiles from the top down on a fixed number of threads. Each takes the next tile
- * that nobody has; a pixel does not depend on who traces it, nor on what else is rendered, so neither do the bytes.
+ * Renders a picture, or a part of one, in tiles from the top down on a fixed number of threads. Each takes the next
+ * tile that nobody has; a pixel does not depend on who traces it, nor on what else is rendered, so neither do the
+ * bytes.
  */
 public final class Renderer {
 
@@ -74,8 +75,8 @@ public final class Renderer {
         for (int i = 0; i < variances.length; i++) {
             pixels += whole.pixels((long) i * stride);
         }
-        SampleBudget budget = SampleBudget.plan(Arrays.stream(variances).flatMapToDouble(Arrays::stream).toArray(), pixels,
-                error, AdaptiveSampler.firstSamples(error));
+        double[] all = Arrays.stream(variances).flatMapToDouble(Arrays::stream).toArray();
+        SampleBudget budget = SampleBudget.plan(all, pixels, error, AdaptiveSampler.firstSamples(error));
         return pilot.plus(onAllThreads(pool, () -> work(budget.grid() > 0
                 ? new GridSampler(tracer.newTileTracer(), budget.grid())
                 : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));

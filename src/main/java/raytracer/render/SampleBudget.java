@@ -6,9 +6,9 @@ import java.util.Arrays;
  * How many samples the pixels of a picture get, so that the root of the mean square of their errors is as wanted with
  * the fewest samples in all. It is found from the variances v within some of the picture's pixels.
  *
- * <p>The error of the mean of N x N samples in a grid is about C v^1/2 N^-3/2 where an edge crosses the pixel (Mitchell,
- * Consequences of Stratified Sampling in Graphics, 1996). The fewest samples for a given sum of such errors' squares are
- * those with N in proportion to v^0.2 (Lagrange).
+ * <p>The error of the mean of N x N samples in a grid is about C v^1/2 N^-3/2 where an edge crosses the pixel
+ * (Mitchell, Consequences of Stratified Sampling in Graphics, 1996). The fewest samples for a given sum of such
+ * errors' squares are those with N in proportion to v^0.2 (Lagrange).
  *
  * @param closer samples along an unsettled pixel's side that decide how many it gets
  * @param k      an unsettled pixel of variance v gets k v^0.2 along its side, if that is more
@@ -23,8 +23,8 @@ record SampleBudget(int closer, double k, int grid) {
     private static final double EDGE_ERROR = 1;
 
     /**
-     * A closer look of n x n samples does not see what is in a corner smaller than its own part of the pixel; the errors
-     * of that fall like n^-5/2, faster than those that are seen.
+     * A closer look of n x n samples does not see what is in a corner smaller than its own part of the pixel; the
+     * errors of that fall like n^-5/2, faster than those that are seen.
      */
     private static final double CLOSER_EXPONENT = 0.75;
 

@@ -58,7 +58,8 @@ final class BvhBuilder {
         Nodes nodes = new Nodes(0);
         int root = Bvh.leaf(beside, count - beside);
         if (count - beside > leafSize) {
-            nodes = pool.invoke(new BvhBuilder(order, boxes, leafSize).new Subtree(new Range(beside, count, 0, null), beside));
+            Range whole = new Range(beside, count, 0, null);
+            nodes = pool.invoke(new BvhBuilder(order, boxes, leafSize).new Subtree(whole, beside));
             root = 0;
         }
         return new Bvh(order, beside, nodes.boxes(), nodes.children(), root, cx, cy, cz, scale);

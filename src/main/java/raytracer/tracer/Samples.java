@@ -1,8 +1,8 @@
 package raytracer.tracer;
 
 /**
- * Points of the picture and the colours that their rays come to, one array per quantity. The first {@link #count} are in
- * use; rays that are near one another in the arrays are traced the faster for being near in the picture.
+ * Points of the picture and the colours that their rays come to, one array per quantity. The first {@link #count} are
+ * in use; rays that are near one another in the arrays are traced the faster for being near in the picture.
  */
 public final class Samples {
 

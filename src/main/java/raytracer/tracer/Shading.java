@@ -5,7 +5,7 @@ import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 
-/** The light that surfaces send back along a group of rays that have arrived at one material: Lambert and Blinn-Phong. */
+/** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
 final class Shading {
 
     /** The greatest whole exponent that is multiplied out. */
@@ -114,7 +114,7 @@ final class Shading {
         }
     }
 
-    /** Adds light times colour times a number by ray, nothing of which is infinite unless both are more than nothing. */
+    /** Adds light times colour times a number by ray; nothing of something infinite is nothing. */
     private void addTerm(Colour light, Colour colour, double[] by, int from, int to) {
         if (light.red() != 0 && colour.red() != 0) {
             Passes.addScaled(red, light.red(), colour.red(), by, from, to);

@@ -18,7 +18,8 @@ final class Spheres extends BoundedSurfaces {
     private static final int STRIDE = 4;
 
     /**
-     * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this is clear of the sphere: errors are smaller for any sphere that is larger than the ray is thick.
+     * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this is clear of the sphere: errors are
+     * smaller for any sphere that is larger than the ray is thick.
      */
     private static final double CLEAR = 0.25;
 

@@ -13,9 +13,9 @@ import raytracer.scene.Material;
 public final class TileTracer {
 
     /**
-     * Fewer rays are traced together until HotSpot has compiled the passes: one of 64 rounds that was called 600 times is compiled
-     * as a whole, but one of more has gone round 40,000 times before, and is compiled for the single call that it is in
-     * first, to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
+     * Fewer rays are traced together until HotSpot has compiled the passes: one of 64 rounds that was called 600
+     * times is compiled as a whole, but one of more has gone round 40,000 times before, and is compiled for the
+     * single call that it is in first, to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
     private static final int COLD_CAPACITY = 64;
     private static final int COLD_RAYS = 1800 * COLD_CAPACITY;
@@ -112,7 +112,8 @@ public final class TileTracer {
 
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], samples.path, scratch);
+            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], samples.path,
+                    scratch);
         }
         addToSamples();
     }

@@ -14,7 +14,7 @@ import raytracer.scene.Vector;
  */
 final class Triangles extends BoundedSurfaces {
 
-    static final int LEAF_SIZE = Integer.getInteger("leaf", 4);
+    static final int LEAF_SIZE = Bvh.LEAF_SIZE;
 
     /** Numbers of one triangle in {@link #data}: three corners and the unit normal. */
     private static final int STRIDE = 12;
