@@ -29,7 +29,7 @@ final class AdaptiveSampler implements Sampler {
     /** Samples along a pixel's side in the first pass. */
     private final int first;
     private final SampleBudget budget;
-    private final Samples samples = Samples.ofColourAndPath();
+    private final Samples samples;
     private final Points points = new Points();
 
     private int columns;
@@ -42,6 +42,7 @@ final class AdaptiveSampler implements Sampler {
         this.tracer = tracer;
         this.budget = budget;
         unevenness = UNEVENNESS * error;
+        samples = Samples.ofColourAndPath(unevenness);
         first = error < FINE ? 2 : 1;
     }
 

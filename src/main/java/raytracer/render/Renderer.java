@@ -25,7 +25,7 @@ public final class Renderer {
      * that there are enough, and fewer of a huge one.
      */
     private static final int PILOT_STRIDE = 13;
-    private static final int LEAST_PILOTS = 256;
+    private static final int LEAST_PILOTS = 64;
     private static final int MOST_PILOTS = 4096;
 
     private final Tracer tracer;

@@ -100,6 +100,11 @@ final class Rays {
         return t < distance[ray] - margin || t <= distance[ray] + margin && declared[slot] < declared[hit[ray]];
     }
 
+    /** Whether less than this part of each component of the light that comes along a ray reaches the pixel. */
+    boolean isFainter(int ray, double limit) {
+        return red[ray] < limit && green[ray] < limit && blue[ray] < limit;
+    }
+
     private double distanceError(int ray, int slot, double t) {
         for (Surfaces kind : surfaces) {
             if (kind.owns(slot)) {

@@ -26,16 +26,21 @@ public final class Samples {
      */
     public final int[] path;
 
-    private Samples(int[] path) {
+    /** Where a mirror's image is fainter than this, paths end: of a range of [0, 1]. */
+    final double faintest;
+
+    private Samples(int[] path, double faintest) {
         this.path = path;
+        this.faintest = faintest;
     }
 
     public static Samples ofColour() {
-        return new Samples(null);
+        return new Samples(null, 0);
     }
 
-    public static Samples ofColourAndPath() {
-        return new Samples(new int[CAPACITY]);
+    /** @param faintest what is seen in mirrors counts as part of a path if this much of its light arrives */
+    public static Samples ofColourAndPath(double faintest) {
+        return new Samples(new int[CAPACITY], faintest);
     }
 
     /** Adds a point. */

@@ -34,9 +34,9 @@ final class Shading {
     /**
      * Shades rays from one index to another, which have arrived at surfaces of this material.
      *
-     * @param path by pixel: takes note of which lights are seen; may be null
+     * @param samples if they have paths, these take note of which lights are seen
      */
-    void shade(Rays rays, int from, int to, Material material, int[] path, Scratch scratch) {
+    void shade(Rays rays, int from, int to, Material material, Samples samples, Scratch scratch) {
         Arrays.fill(red, from, to, material.ambient().red());
         Arrays.fill(green, from, to, material.ambient().green());
         Arrays.fill(blue, from, to, material.ambient().blue());
@@ -55,15 +55,18 @@ final class Shading {
                 kind.block(rays, shadows, from, to, scratch);
             }
             addLight(lamp.colour(), material, from, to, scratch);
-            if (path != null) {
-                extendPaths(path, rays.pixel, from, to);
+            if (samples.path != null) {
+                extendPaths(samples, rays, from, to);
             }
         }
     }
 
-    private void extendPaths(int[] path, int[] pixel, int from, int to) {
+    private void extendPaths(Samples samples, Rays rays, int from, int to) {
         for (int i = from; i < to; i++) {
-            path[pixel[i]] = extendPath(path[pixel[i]], shadows.open[i] ? 1 : 0);
+            int p = rays.pixel[i];
+            if (!rays.isFainter(i, samples.faintest)) {
+                samples.path[p] = extendPath(samples.path[p], shadows.open[i] ? 1 : 0);
+            }
         }
     }
 

@@ -106,14 +106,16 @@ public final class TileTracer {
     private void extendPaths(int from, int to, boolean oneSurface, int look) {
         for (int i = from; i < to; i++) {
             int p = rays.pixel[i];
+            if (rays.isFainter(i, samples.faintest)) {
+                continue;
+            }
             samples.path[p] = Shading.extendPath(samples.path[p], oneSurface ? look : material.length + rays.hit[i]);
         }
     }
 
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], samples.path,
-                    scratch);
+            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], samples, scratch);
         }
         addToSamples();
     }
