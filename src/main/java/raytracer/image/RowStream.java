@@ -152,7 +152,7 @@ public final class RowStream implements PixelSink, RenderedImage {
         return Rgb.rows(new byte[COMPONENTS * width], width, 1, 0).getSampleModel();
     }
 
-    // One tile that is the whole picture: the encoder only asks how it is cut.
+    // The bands are its tiles: an encoder may ask for a tile instead of rows if there is only one.
 
     @Override
     public int getTileWidth() {
@@ -161,7 +161,7 @@ public final class RowStream implements PixelSink, RenderedImage {
 
     @Override
     public int getTileHeight() {
-        return height;
+        return bandRows;
     }
 
     @Override
@@ -171,7 +171,7 @@ public final class RowStream implements PixelSink, RenderedImage {
 
     @Override
     public int getNumYTiles() {
-        return 1;
+        return (height - 1) / bandRows + 1;
     }
 
     @Override
@@ -226,7 +226,8 @@ public final class RowStream implements PixelSink, RenderedImage {
 
     @Override
     public Raster getTile(int x, int y) {
-        throw new UnsupportedOperationException("the picture is never there as a whole");
+        int top = y * bandRows;
+        return getData(new Rectangle(0, top, width, Math.min(bandRows, height - top)));
     }
 
     @Override

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
@@ -16,6 +15,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @DisplayName("A picture that is encoded while it is rendered")
 class RowStreamTest {
@@ -36,17 +37,18 @@ class RowStreamTest {
         }
     }
 
-    @Test
-    void hasTheBytesOfOneInMemory() {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3, 4, 5, 37})
+    void hasTheBytesOfOneInMemory(int height) {
         assertTimeoutPreemptively(SOON, () -> {
-            RowStream rows = new RowStream(50, 37, 4);
-            CompletableFuture.runAsync(() -> render(rows, 50, 37, 4, new AtomicInteger()));
+            RowStream rows = new RowStream(50, height, 4);
+            CompletableFuture.runAsync(() -> render(rows, 50, height, 4, new AtomicInteger()));
             ByteArrayOutputStream png = new ByteArrayOutputStream();
             PngFile.write(rows, png);
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
-            for (int y = 0; y < 37; y++) {
+            for (int y = 0; y < height; y++) {
                 for (int x = 0; x < 50; x++) {
-                    int wanted = (Image.quantise(x / 50.0) & 255) << 16 | (Image.quantise(y / 37.0) & 255) << 8 | 128;
+                    int wanted = (Image.quantise(x / 50.0) & 255) << 16 | (Image.quantise(y / (double) height) & 255) << 8 | 128;
                     assertEquals(wanted, image.getRGB(x, y) & 0xFFFFFF);
                 }
             }
@@ -90,6 +92,5 @@ class RowStreamTest {
         rows.awaitRoom(0);
         rows.set(0, 0, Double.NaN, 0, 0);
         assertEquals(1, rows.undefinedPixels());
-        assertTrue(rows.getNumYTiles() == 1);
     }
 }
