@@ -55,6 +55,14 @@ final class AdaptiveSampler implements Sampler {
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
         boolean[] settled = look(left, top, columns, rows, budget.closer());
+        addMore(left, top, settled);
+        take();
+        send(left, top, sink);
+    }
+
+    // As in Points, loops over pixels are kept apart from the tracer, for HotSpot's sake.
+
+    private void addMore(int left, int top, boolean[] settled) {
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (isInside(pixel) && !settled[pixel]) {
                 int n = budget.along(means.variance(pixel));
@@ -64,8 +72,10 @@ final class AdaptiveSampler implements Sampler {
                 }
             }
         }
-        take();
-        for (int pixel = 0; pixel < settled.length; pixel++) {
+    }
+
+    private void send(int left, int top, PixelSink sink) {
+        for (int pixel = 0; pixel < columns * rows; pixel++) {
             if (isInside(pixel)) {
                 sink.set(x(left, pixel), y(top, pixel), means.red(pixel), means.green(pixel), means.blue(pixel));
             }
@@ -85,22 +95,35 @@ final class AdaptiveSampler implements Sampler {
         this.rows = rows + 2;
         int pixels = this.columns * this.rows;
         means = new PixelMeans(pixels);
+        addFirst(left, top, pixels);
+        take();
+        boolean[] settled = settled(pixels);
+        addCloser(left, top, settled, closer);
+        take();
+        return settled;
+    }
+
+    private void addFirst(int left, int top, int pixels) {
         for (int pixel = 0; pixel < pixels; pixel++) {
             addGrid(left, top, pixel, first);
         }
-        take();
+    }
+
+    private boolean[] settled(int pixels) {
         boolean[] settled = new boolean[pixels];
         for (int pixel = 0; pixel < pixels; pixel++) {
             settled[pixel] = isInside(pixel) && isSettled(pixel);
         }
-        for (int pixel = 0; pixel < pixels; pixel++) {
+        return settled;
+    }
+
+    private void addCloser(int left, int top, boolean[] settled, int closer) {
+        for (int pixel = 0; pixel < settled.length; pixel++) {
             if (isInside(pixel) && !settled[pixel]) {
                 means.clear(pixel);
                 addGrid(left, top, pixel, closer);
             }
         }
-        take();
-        return settled;
     }
 
     private boolean isInside(int pixel) {
