@@ -100,8 +100,12 @@ final class Job {
             err.printf("%s %dx%d in %.1f s, %.1f Mrays%n", destination, region.width(), region.height(),
                     whole.millis() / 1e3, stats.rays.total() / 1e6);
         }
-        return reference == null ? Main.DONE
-                : reference.compare(((Picture.Whole) picture).image().toBufferedImage(), destination, out);
+        if (reference == null) {
+            return Main.DONE;
+        }
+        // Standard output may hold the picture: then words about it go elsewhere.
+        return reference.compare(((Picture.Whole) picture).image().toBufferedImage(), destination,
+                destination.file() == null ? err : out);
     }
 
     private ParsedScene parse() throws SceneException, IOException {

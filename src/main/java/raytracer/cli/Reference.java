@@ -3,8 +3,8 @@ package raytracer.cli;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.imageio.ImageIO;
@@ -37,8 +37,7 @@ record Reference(String file, BufferedImage picture, int tolerance) {
     }
 
     /** Says how a picture differs, and shows where in a picture of its own; returns the exit status. */
-    int compare(BufferedImage actual, Destination destination, PrintStream out) throws IOException {
-        PrintStream words = destination.file() == null ? System.err : out;
+    int compare(BufferedImage actual, Destination destination, PrintStream words) throws IOException {
         Comparison c = Comparison.of(actual, picture, tolerance);
         if (c.pixels() == 0) {
             words.println("equals " + file + " in every pixel");

@@ -16,14 +16,6 @@ final class Passes {
         }
     }
 
-    /** out = a . b, the same a for all */
-    static void dot(double ax, double ay, double az, double[] bx, double[] by, double[] bz, double[] out,
-            int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = bx[i] * ax + by[i] * ay + bz[i] * az;
-        }
-    }
-
     /** out = a - b */
     static void subtract(double[] a, double[] b, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
@@ -49,13 +41,6 @@ final class Passes {
     static void subtractTwice(double[] a, double[] t, double[] b, int from, int to) {
         for (int i = from; i < to; i++) {
             a[i] -= 2 * t[i] * b[i];
-        }
-    }
-
-    /** out = a + r b, the same a and r for all */
-    static void along(double a, double r, double[] b, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = a + r * b[i];
         }
     }
 
