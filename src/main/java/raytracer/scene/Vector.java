@@ -37,6 +37,10 @@ public record Vector(double x, double y, double z) {
         return new Vector(a / length, b / length, c / length);
     }
 
+    public boolean isZero() {
+        return x == 0 && y == 0 && z == 0;
+    }
+
     public double length() {
         return Math.sqrt(dot(this));
     }

@@ -152,7 +152,7 @@ public final class SceneParser {
     private void camera(Operands o) throws Operands.Rejected {
         once("camera", o);
         camera = new Camera(o.vector(0), o.vector(3), o.vector(6), o.number(9));
-        if (camera.eye().equals(camera.at())) {
+        if (camera.eye().minus(camera.at()).isZero()) {
             throw o.rejectAll(0, 5, "expected the eye (ex ey ez) and the point looked at (ax ay az) of 'camera'"
                     + " to differ, found them equal");
         }

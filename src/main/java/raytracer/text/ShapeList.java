@@ -48,7 +48,7 @@ final class ShapeList {
     boolean lastTriangleIsEmpty() {
         Vector a = mesh.corner(0);
         Vector normal = mesh.corner(1).minus(a).cross(mesh.corner(2).minus(a));
-        return normal.x() == 0 && normal.y() == 0 && normal.z() == 0;
+        return normal.isZero();
     }
 
     List<Shape> list() {

@@ -29,7 +29,7 @@ final class Visibility {
         }
         if (shape instanceof Shape.Plane plane) {
             Vector slope = plane.normal().unit().cross(forward);
-            boolean facing = slope.x() == 0 && slope.y() == 0 && slope.z() == 0;
+            boolean facing = slope.isZero();
             return !facing || plane.point().minus(eye).dot(forward) > 0;
         }
         Shape.Triangles run = (Shape.Triangles) shape;

@@ -11,7 +11,6 @@ import raytracer.scene.Material;
 import raytracer.scene.Mesh;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
-import raytracer.scene.Vector;
 
 /** Sorts a scene's shapes by kind and gives each surface its slot: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {
@@ -93,8 +92,7 @@ final class SurfaceCompiler {
             sphereOrigins.add(declared, sphere.material());
         } else if (shape instanceof Shape.Triangles run) {
             for (int k = 0; k < run.count(); k++) {
-                Vector normal = Triangles.normal(mesh, run.first() + k);
-                if (normal.x() != 0 || normal.y() != 0 || normal.z() != 0) {
+                if (!Triangles.normal(mesh, run.first() + k).isZero()) {
                     triangles[triangleCount++] = run.first() + k;
                     triangleOrigins.add(declared + k, run.material());
                 }
