@@ -47,14 +47,14 @@ final class Shading {
             shadows.aim(rays, lamp, from, to);
             reflectance(rays, material, from, to, scratch);
             int open = open(material, from, to);
-            if (open == 0) {
-                continue;
+            if (open > 0) {
+                shadowCount += open;
+                for (Surfaces kind : surfaces) {
+                    kind.block(rays, shadows, from, to, scratch);
+                }
+                addLight(lamp.colour(), material, from, to, scratch);
             }
-            shadowCount += open;
-            for (Surfaces kind : surfaces) {
-                kind.block(rays, shadows, from, to, scratch);
-            }
-            addLight(lamp.colour(), material, from, to, scratch);
+            // Even where all are dark: a path must not depend on what other rays are in the group.
             if (samples.path != null) {
                 extendPaths(samples, rays, from, to);
             }

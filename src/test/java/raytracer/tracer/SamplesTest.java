@@ -1,0 +1,56 @@
+package raytracer.tracer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.scene.Scene;
+import raytracer.text.Scenes;
+
+@DisplayName("Samples that are traced together")
+class SamplesTest {
+
+    private static final int SIDE = 16;
+    private static final int WIDTH = 96;
+    private static final int HEIGHT = 64;
+
+    private static void addTile(Samples samples, int left, int top) {
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            samples.add(left + i % SIDE + .5, top + i / SIDE + .5);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"island", "final", "kaleidoscope", "lights"})
+    @DisplayName("get the colours and paths that each gets alone")
+    void doNotDependOnOneAnother(String name) throws Exception {
+        Scene scene = Scenes.parse(Files.readString(Path.of("scenes", name + ".scene"))).scene().withSize(WIDTH, HEIGHT);
+        TileTracer tracer = Tracer.compile(scene, 1).newTileTracer();
+        Samples together = Samples.ofColourAndPath(0), alone = Samples.ofColourAndPath(0);
+        int paths = 0;
+        for (int top = 0; top < HEIGHT; top += SIDE) {
+            for (int left = 0; left < WIDTH; left += SIDE) {
+                together.count = 0;
+                addTile(together, left, top);
+                tracer.trace(together);
+                for (int i = 0; i < together.count; i++) {
+                    alone.count = 0;
+                    alone.add(together.x[i], together.y[i]);
+                    tracer.trace(alone);
+                    String where = "sample at " + together.x[i] + " " + together.y[i];
+                    assertEquals(alone.path[0], together.path[i], "path of " + where);
+                    assertEquals(alone.red[0], together.red[i], "red of " + where);
+                    assertEquals(alone.green[0], together.green[i], "green of " + where);
+                    assertEquals(alone.blue[0], together.blue[i], "blue of " + where);
+                }
+                paths += Arrays.stream(together.path).distinct().count();
+            }
+        }
+        assertTrue(paths > WIDTH * HEIGHT / (SIDE * SIDE), "some tiles must show more than one surface");
+    }
+}
