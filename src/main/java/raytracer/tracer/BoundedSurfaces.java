@@ -36,6 +36,12 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         return slot >= firstSlot && slot < firstSlot + count;
     }
 
+    /** Computes what {@link #meetAll} needs to know of rays, from one index to another. */
+    abstract void prepareToMeet(Rays rays, int from, int to, Scratch scratch);
+
+    /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
+    abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch);
+
     /** Offers rays, from one index to another, the surface with this number among these, if it meets it. */
     abstract void meetAll(Rays rays, int from, int to, int k, Scratch scratch);
 
@@ -44,18 +50,25 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
 
     @Override
     public final void findNearest(Rays rays, Scratch scratch) {
-        for (int k = 0; k < bvh.beside(); k++) {
-            meetAll(rays, 0, rays.count, k, scratch);
+        if (bvh.beside() > 0) {
+            prepareToMeet(rays, 0, rays.count, scratch);
+            for (int k = 0; k < bvh.beside(); k++) {
+                meetAll(rays, 0, rays.count, k, scratch);
+            }
         }
         Beam beam = scratch.beam;
         beam.take(rays, 0, rays.count);
-        if (beam.gather(bvh)) {
+        if (!beam.gather(bvh)) {
+            walkToNearest(rays, scratch.walk);
+        } else if (beam.count() > 0) {
+            prepareToMeet(rays, 0, rays.count, scratch);
             for (int n = 0; n < beam.count(); n++) {
                 meetAll(rays, 0, rays.count, beam.thing(n), scratch);
             }
-            return;
         }
-        BvhWalk walk = scratch.walk;
+    }
+
+    private void walkToNearest(Rays rays, BvhWalk walk) {
         for (int i = 0; i < rays.count; i++) {
             walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]);
             while (walk.nextLeaf(rays.reach(i))) {
@@ -68,20 +81,27 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
 
     @Override
     public final void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
-        for (int k = 0; k < bvh.beside(); k++) {
-            blockAll(rays, shadows, from, to, k, scratch);
+        if (bvh.beside() > 0) {
+            prepareToBlock(rays, shadows, from, to, scratch);
+            for (int k = 0; k < bvh.beside(); k++) {
+                blockAll(rays, shadows, from, to, k, scratch);
+            }
         }
         Beam beam = scratch.beam;
         beam.take(rays, shadows.lamp, from, to);
-        if (beam.gather(bvh)) {
+        if (!beam.gather(bvh)) {
+            walkToBlockers(rays, shadows, from, to, scratch.walk);
+        } else if (beam.count() > 0) {
+            prepareToBlock(rays, shadows, from, to, scratch);
             for (int n = 0; n < beam.count(); n++) {
                 blockAll(rays, shadows, from, to, beam.thing(n), scratch);
             }
-            return;
         }
+    }
+
+    private void walkToBlockers(Rays rays, ShadowRays shadows, int from, int to, BvhWalk walk) {
         for (int i = from; i < to; i++) {
             if (shadows.open[i]) {
-                BvhWalk walk = scratch.walk;
                 walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i]);
                 shadows.open[i] = !anyBlocks(rays, shadows, i, walk);
             }

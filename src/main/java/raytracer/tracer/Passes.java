@@ -16,6 +16,28 @@ final class Passes {
         }
     }
 
+    /** out = a . x + b . y, with a and b the same for all */
+    static void dots(double ax, double ay, double az, double[] x1, double[] y1, double[] z1,
+            double bx, double by, double bz, double[] x2, double[] y2, double[] z2, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ax * x1[i] + ay * y1[i] + az * z1[i] + (bx * x2[i] + by * y2[i] + bz * z2[i]);
+        }
+    }
+
+    /** out = min(a b, b c, c a) */
+    static void leastProduct(double[] a, double[] b, double[] c, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
+        }
+    }
+
+    /** One component of a x b, of the other two: out = ay bz - az by. */
+    static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ay[i] * bz[i] - az[i] * by[i];
+        }
+    }
+
     /** out = a - b */
     static void subtract(double[] a, double[] b, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {

@@ -14,4 +14,12 @@ final class Scratch {
     final double[] centreY = new double[Rays.CAPACITY];
     final double[] centreZ = new double[Rays.CAPACITY];
     final double[] radius = new double[Rays.CAPACITY];
+
+    // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
+    final double[] momentX = new double[Rays.CAPACITY];
+    final double[] momentY = new double[Rays.CAPACITY];
+    final double[] momentZ = new double[Rays.CAPACITY];
+    double originError;
+    double directionError;
+    double farthest;
 }

@@ -82,6 +82,12 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
+    void prepareToMeet(Rays rays, int from, int to, Scratch scratch) { }
+
+    @Override
+    void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) { }
+
+    @Override
     void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
         passBy(rays, rays.dx, rays.dy, rays.dz, from, to, k, scratch);
         double[] square = scratch.square, along = scratch.along, t = scratch.distance;

@@ -19,6 +19,12 @@ final class Triangles extends BoundedSurfaces {
     /** Numbers of one triangle in {@link #data}: three corners and the unit normal. */
     private static final int STRIDE = 12;
 
+    /**
+     * Of the bound on the error of an edge's side: a ray that passes two edges on different sides by more is clear of
+     * the triangle. More than enough for the sieve's own errors, as the bound is then of the world's origin as an end.
+     */
+    private static final double SIEVE = 64;
+
     private final double[] data;
 
     /** @param order which triangles of the mesh, in the order of the tree's leaves; none of them without area */
@@ -80,17 +86,90 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
+    void prepareToMeet(Rays rays, int from, int to, Scratch scratch) {
+        scratch.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
+        prepare(rays, rays.dx, rays.dy, rays.dz, from, to, scratch);
+    }
+
+    @Override
+    void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+        scratch.directionError = 2 * Rounding.U;
+        prepare(rays, shadows.dx, shadows.dy, shadows.dz, from, to, scratch);
+    }
+
+    private static void prepare(
+            Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, Scratch scratch) {
+        Passes.cross(rays.oy, rays.oz, dy, dz, scratch.momentX, from, to);
+        Passes.cross(rays.oz, rays.ox, dz, dx, scratch.momentY, from, to);
+        Passes.cross(rays.ox, rays.oy, dx, dy, scratch.momentZ, from, to);
+        Passes.reach(rays.ox, rays.oy, rays.oz, scratch.reach, from, to);
+        scratch.farthest = greatest(scratch.reach, from, to);
+        scratch.originError = greatest(rays.originError, from, to);
+    }
+
+    private static double greatest(double[] values, int from, int to) {
+        double greatest = 0;
         for (int i = from; i < to; i++) {
-            meet(rays, i, k);
+            greatest = Math.max(greatest, values[i]);
+        }
+        return greatest;
+    }
+
+    @Override
+    void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
+        double clear = passBy(rays.dx, rays.dy, rays.dz, from, to, k, scratch);
+        double[] product = scratch.square;
+        for (int i = from; i < to; i++) {
+            if (!(product[i] < clear)) {
+                meet(rays, i, k);
+            }
         }
     }
 
     @Override
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
+        double clear = passBy(shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
+        double[] product = scratch.square;
         for (int i = from; i < to; i++) {
-            shadows.open[i] = shadows.open[i] && !blocks(rays, shadows, i, k);
+            if (shadows.open[i] && !(product[i] < clear)) {
+                shadows.open[i] = !blocks(rays, shadows, i, k);
+            }
         }
+    }
+
+    /**
+     * Computes for all rays the least product of two edges' sides, in {@link Scratch#square}: negative where a ray
+     * passes edges on different sides. The sides are those of {@link #passesWithin}, but from the rays' moments about
+     * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
+     * digits, and is only a first sieve.
+     *
+     * @return rays are clear of the triangle if they have less than this
+     */
+    private double passBy(double[] dx, double[] dy, double[] dz, int from, int to, int k, Scratch scratch) {
+        int at = STRIDE * k;
+        double[] ab = scratch.centreX, bc = scratch.centreY, ca = scratch.centreZ;
+        sides(at, at + 3, dx, dy, dz, ab, from, to, scratch);
+        sides(at + 3, at + 6, dx, dy, dz, bc, from, to, scratch);
+        sides(at + 6, at, dx, dy, dz, ca, from, to, scratch);
+        Passes.leastProduct(ab, bc, ca, scratch.square, from, to);
+        double edges = difference(at, at + 3) + difference(at, at + 6);
+        double reach = Math.abs(data[at]) + Math.abs(data[at + 1]) + Math.abs(data[at + 2]) + edges + scratch.farthest;
+        double most = 4 * edges * reach;
+        return -most * SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
+    }
+
+    /** |x| + |y| + |z| of the edge between two corners. */
+    private double difference(int a, int b) {
+        return Math.abs(data[a] - data[b]) + Math.abs(data[a + 1] - data[b + 1]) + Math.abs(data[a + 2] - data[b + 2]);
+    }
+
+    /** By ray, the side of the edge between two corners: d . (e x s) - 2 e . m, of the edge e and the corners' sum s. */
+    private void sides(int a, int b, double[] dx, double[] dy, double[] dz, double[] out, int from, int to,
+            Scratch scratch) {
+        double ex = data[b] - data[a], ey = data[b + 1] - data[a + 1], ez = data[b + 2] - data[a + 2];
+        double sx = data[a] + data[b], sy = data[a + 1] + data[b + 1], sz = data[a + 2] + data[b + 2];
+        Passes.dots(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, dx, dy, dz,
+                -2 * ex, -2 * ey, -2 * ez, scratch.momentX, scratch.momentY, scratch.momentZ, out, from, to);
     }
 
     @Override
