@@ -44,9 +44,8 @@ final class BvhBuilder {
         double[] all = enclosing(order, 0, bounds);
         int beside = 0;
         // Without the widest the others may have a much smaller box, in which some are the widest again.
-        for (int found = -1; found != beside; ) {
-            found = beside;
-            beside = setAside(order, beside, bounds, TOO_WIDE * width(all));
+        for (int found; (found = setAside(order, beside, bounds, TOO_WIDE * width(all))) != beside; ) {
+            beside = found;
             all = enclosing(order, beside, bounds);
         }
         double scale = scale(width(all));
@@ -54,7 +53,10 @@ final class BvhBuilder {
         if (beside == count) {
             return new Bvh(order, beside, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
-        float[] boxes = treeBoxes(order, beside, bounds, new double[] {cx, cy, cz}, scale);
+        float[] boxes = new float[6 * (count - beside)];
+        int first = beside;
+        Halves.run(pool, beside, count,
+                (from, to) -> setTreeBoxes(boxes, first, order, from, to, bounds, new double[] {cx, cy, cz}, scale));
         Nodes nodes = new Nodes(0);
         int root = Bvh.leaf(beside, count - beside);
         if (count - beside > leafSize) {
@@ -110,16 +112,15 @@ final class BvhBuilder {
         return width > 0 ? Math.scalb(1.0, -Math.getExponent(width)) : 1;
     }
 
-    private static float[] treeBoxes(int[] order, int from, Bounds bounds, double[] centre, double scale) {
-        float[] boxes = new float[6 * (order.length - from)];
+    private static void setTreeBoxes(float[] boxes, int first, int[] order, int from, int to, Bounds bounds,
+            double[] centre, double scale) {
         double[] box = new double[6];
-        for (int i = from; i < order.length; i++) {
+        for (int i = from; i < to; i++) {
             bounds.of(order[i], box);
             for (int side = 0; side < 6; side++) {
-                boxes[6 * (i - from) + side] = (float) ((box[side] - centre[side % 3]) * scale);
+                boxes[6 * (i - first) + side] = (float) ((box[side] - centre[side % 3]) * scale);
             }
         }
-        return boxes;
     }
 
     /** Things {@code from} to {@code to - 1}, the box around them and half of its surface. */

@@ -141,7 +141,7 @@ final class SurfaceCompiler {
             ordered[k] = solid[bvh.order()[k]];
             settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
         }
-        return Optional.of(new Triangles(mesh, ordered, firstSlot, bvh));
+        return Optional.of(new Triangles(mesh, ordered, firstSlot, bvh, pool));
     }
 
     private void settle(int slot, Origins from, int k) {

@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
 
@@ -28,11 +29,14 @@ final class Triangles extends BoundedSurfaces {
     private final double[] data;
 
     /** @param order which triangles of the mesh, in the order of the tree's leaves; none of them without area */
-    Triangles(Mesh mesh, int[] order, int firstSlot, Bvh bvh) {
+    Triangles(Mesh mesh, int[] order, int firstSlot, Bvh bvh, ForkJoinPool pool) {
         super(firstSlot, bvh);
-        int count = order.length;
-        data = new double[Math.multiplyExact(STRIDE, count)];
-        for (int k = 0; k < count; k++) {
+        data = new double[Math.multiplyExact(STRIDE, order.length)];
+        Halves.run(pool, 0, order.length, (from, to) -> copy(mesh, order, from, to));
+    }
+
+    private void copy(Mesh mesh, int[] order, int from, int to) {
+        for (int k = from; k < to; k++) {
             for (int corner = 0; corner < 3; corner++) {
                 for (int axis = 0; axis < 3; axis++) {
                     data[STRIDE * k + 3 * corner + axis] = mesh.coordinate(order[k], corner, axis);
@@ -163,7 +167,7 @@ final class Triangles extends BoundedSurfaces {
         return Math.abs(data[a] - data[b]) + Math.abs(data[a + 1] - data[b + 1]) + Math.abs(data[a + 2] - data[b + 2]);
     }
 
-    /** By ray, the side of the edge between two corners: d . (e x s) - 2 e . m, of the edge e and the corners' sum s. */
+    /** By ray, the side of the edge e between two corners of sum s: d . (e x s) - 2 e . m. */
     private void sides(int a, int b, double[] dx, double[] dy, double[] dz, double[] out, int from, int to,
             Scratch scratch) {
         double ex = data[b] - data[a], ey = data[b + 1] - data[a + 1], ez = data[b + 2] - data[a + 2];
