@@ -106,10 +106,11 @@ record Options(List<String> scenes, String output, int width, int height, int ma
             if (chartSeconds > 0 && chart == null) {
                 throw new UsageException("--chart-seconds goes with --chart, found none");
             }
-            if (chart != null && (reference != null || region != null || output != null)) {
-                throw new UsageException("--chart goes without "
-                        + (reference != null ? "--compare" : region != null ? "--region" : "--output")
-                        + ": it writes a chart in place of a picture");
+            String single = reference != null ? "--compare" : region != null ? "--region" : output != null ? "--output"
+                    : !sampling.equals(Sampling.CENTRES) ? "--samples" : repeat > 1 ? "--repeat" : null;
+            if (chart != null && single != null) {
+                throw new UsageException("--chart goes without " + single + ": it tries many settings in turns,"
+                        + " and writes a chart in place of a picture");
             }
             if (chart != null && !chart.endsWith(".svg")) {
                 throw new UsageException("expected the file of --chart to end in '.svg', found '" + chart + "'");

@@ -7,25 +7,21 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @DisplayName("In daily use")
-class EverydayTest {
+class EverydayTest extends CommandLine {
 
     private static final String SCENE = """
             size 75 50
@@ -40,31 +36,8 @@ class EverydayTest {
             plane 0 -1 0 0 1 0
             """;
 
-    @TempDir
-    Path folder;
-
-    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
-    private final ByteArrayOutputStream err = new ByteArrayOutputStream();
-    private String scene;
-    private String picture;
-
-    @BeforeEach
-    void writeScene() throws IOException {
-        scene = Files.writeString(folder.resolve("a.scene"), SCENE).toString();
-        picture = folder.resolve("a.png").toString();
-    }
-
-    private int run(String... args) {
-        return Main.run(args, new PrintStream(out, true, StandardCharsets.UTF_8),
-                new PrintStream(err, true, StandardCharsets.UTF_8));
-    }
-
-    private String out() {
-        return out.toString(StandardCharsets.UTF_8);
-    }
-
-    private String err() {
-        return err.toString(StandardCharsets.UTF_8);
+    EverydayTest() {
+        super(SCENE);
     }
 
     private int[] pixels(String file) throws IOException {
@@ -154,6 +127,8 @@ class EverydayTest {
         "--tolerance 3| --tolerance goes with --compare",
         "--chart x.png| expected the file of --chart to end in '.svg'",
         "--chart x.svg -o y.png| --chart goes without --output",
+        "--chart x.svg --samples 4| --chart goes without --samples",
+        "--chart x.svg --repeat 3| --chart goes without --repeat",
         "--chart-seconds 5| --chart-seconds goes with --chart"})
     void refusesWhatMakesNoSense(String args, String message) {
         assertEquals(2, run((scene + " " + args).split(" ")));
