@@ -1,5 +1,8 @@
 package raytracer.cli;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -41,6 +44,12 @@ abstract class CommandLine {
     final int run(String... args) {
         return Main.run(args, new PrintStream(out, true, StandardCharsets.UTF_8),
                 new PrintStream(err, true, StandardCharsets.UTF_8));
+    }
+
+    /** Runs the scene with arguments that make no sense. */
+    final void assertRefused(String args, String message) {
+        assertEquals(2, run((scene + " " + args).split(" ")));
+        assertTrue(err().contains(message), err());
     }
 
     final String out() {

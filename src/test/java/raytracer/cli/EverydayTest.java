@@ -131,8 +131,7 @@ class EverydayTest extends CommandLine {
         "--chart x.svg --repeat 3| --chart goes without --repeat",
         "--chart-seconds 5| --chart-seconds goes with --chart"})
     void refusesWhatMakesNoSense(String args, String message) {
-        assertEquals(2, run((scene + " " + args).split(" ")));
-        assertTrue(err().contains(message), err());
+        assertRefused(args, message);
     }
 
     @ParameterizedTest

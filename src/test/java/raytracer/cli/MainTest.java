@@ -178,8 +178,7 @@ class MainTest extends CommandLine {
         "-x, unknown option '-x'",
         "--stats, expected a value after --stats"})
     void refusesWhatMakesNoSense(String args, String message) {
-        assertEquals(2, run((scene + " " + args).split(" ")));
-        assertTrue(err().contains(message), err());
+        assertRefused(args, message);
     }
 
     @Test
