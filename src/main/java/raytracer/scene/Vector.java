@@ -13,6 +13,10 @@ public record Vector(double x, double y, double z) {
         return new Vector(x - other.x, y - other.y, z - other.z);
     }
 
+    public Vector times(double factor) {
+        return new Vector(x * factor, y * factor, z * factor);
+    }
+
     public double dot(Vector other) {
         return x * other.x + y * other.y + z * other.z;
     }

@@ -80,12 +80,13 @@ final class Passes {
         }
     }
 
-    /** (x, y, z) /= divisor */
+    /** (x, y, z) /= divisor, by way of its reciprocal: its rounding changes the length alone, not the direction. */
     static void divide(double[] x, double[] y, double[] z, double[] divisor, int from, int to) {
         for (int i = from; i < to; i++) {
-            x[i] /= divisor[i];
-            y[i] /= divisor[i];
-            z[i] /= divisor[i];
+            double reciprocal = 1 / divisor[i];
+            x[i] *= reciprocal;
+            y[i] *= reciprocal;
+            z[i] *= reciprocal;
         }
     }
 

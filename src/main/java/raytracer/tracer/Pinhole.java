@@ -11,22 +11,25 @@ final class Pinhole {
     private final int width;
     private final int height;
     private final Vector eye;
+
+    // In units of half a pixel, at the distance where the picture has as many of them as pixels. Unlike a pixel's
+    // share of the height, these are whole numbers if the camera looks along an axis and its field of view is 90.
     private final Vector right;
     private final Vector up;
     private final Vector backward;
-    private final double halfHeight;
 
     Pinhole(Scene scene) {
         Camera camera = scene.camera();
         width = scene.width();
         height = scene.height();
         eye = camera.eye();
-        backward = camera.backward();
-        right = camera.right();
-        up = backward.cross(right);
+        Vector toEye = camera.backward();
         // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose
         // tangent is rational (Niven 1956), so that rays can meet edges exactly; radians would miss it by a bit.
-        halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
+        double halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
+        right = camera.right().times(halfHeight);
+        up = toEye.cross(camera.right()).times(halfHeight);
+        backward = toEye.times(height);
     }
 
     int width() {
@@ -41,10 +44,9 @@ final class Pinhole {
     void aim(Rays rays, Samples samples, int from, int count) {
         rays.count = count;
         rays.leaveEye = true;
-        inUnitsOfDistance(samples.x, samples.y, from, rays.nx, rays.ny, count);
-        component(rays.nx, rays.ny, right.x(), up.x(), backward.x(), rays.dx, count);
-        component(rays.nx, rays.ny, right.y(), up.y(), backward.y(), rays.dy, count);
-        component(rays.nx, rays.ny, right.z(), up.z(), backward.z(), rays.dz, count);
+        component(samples, from, right.x(), up.x(), backward.x(), rays.dx, count);
+        component(samples, from, right.y(), up.y(), backward.y(), rays.dy, count);
+        component(samples, from, right.z(), up.z(), backward.z(), rays.dz, count);
         Passes.length(rays.dx, rays.dy, rays.dz, rays.nz, 0, count);
         Passes.divide(rays.dx, rays.dy, rays.dz, rays.nz, 0, count);
         Arrays.fill(rays.directionError, 0, count, Rounding.EYE_DIRECTION);
@@ -62,20 +64,12 @@ final class Pinhole {
     }
 
     /** Twice the position less the size is exact for pixels' centres in a picture of any size. */
-    private void inUnitsOfDistance(double[] x, double[] y, int from, double[] a, double[] b, int count) {
+    private void component(Samples samples, int from, double toRight, double toTop, double toEye, double[] out,
+            int count) {
+        double[] x = samples.x, y = samples.y;
         double w = width, h = height;
         for (int i = 0; i < count; i++) {
-            a[i] = halfHeight * ((2 * x[from + i] - w) / h);
-        }
-        for (int i = 0; i < count; i++) {
-            b[i] = halfHeight * ((h - 2 * y[from + i]) / h);
-        }
-    }
-
-    private static void component(double[] a, double[] b, double right, double up, double backward, double[] out,
-            int count) {
-        for (int i = 0; i < count; i++) {
-            out[i] = a[i] * right + b[i] * up - backward;
+            out[i] = (2 * x[from + i] - w) * toRight + (h - 2 * y[from + i]) * toTop - toEye;
         }
     }
 }

@@ -21,8 +21,8 @@ final class Rounding {
      */
     static final double TIE_SIEVE = 0x1p-20;
 
-    /** Bounds the error of each coordinate of a ray from the eye: pixel, basis, sum and normalising. */
-    static final double EYE_DIRECTION = 4 * U;
+    /** Bounds the error of each coordinate of a ray from the eye: scaled basis, products, sums and normalising. */
+    static final double EYE_DIRECTION = 5 * U;
 
     private Rounding() { }
 
@@ -141,26 +141,24 @@ final class Rounding {
     /**
      * Bounds the error in each coordinate of computed points of spheres, centre + radius * normal, as against the
      * points where the same rays meet them exactly: the {@linkplain #sphereDistance distance}'s error, 2u of the
-     * distance from the direction, and 6u of the radius and u of the centre from the normal and the sum.
+     * distance from the direction, and 7u of the radius and u of the centre from the normal and the sum. The two
+     * errors under the root are taken together; apart, their roots may add up to the root of 2 times that.
      *
      * @param centre |x| + |y| + |z| of the centre
+     * @param reach  is overwritten
      */
     static void spherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
             double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
             double half = Math.abs(distance[i] + along[i]);
-            double square = 2 * U * radius[i] * (3 * reach[i] + radius[i]);
             double sum = half + Math.abs(along[i]);
-            out[i] = (Math.min(square / (2 * half), Math.sqrt(square)) + 3 * U * (reach[i] + sum))
-                    * Math.min(1, distance[i] / sum);
+            double part = Math.min(1, distance[i] / sum);
+            out[i] = 3 * U * (reach[i] + sum) * part + U * (3 * distance[i] + 7 * radius[i] + centre[i]);
+            reach[i] = 2 * radius[i] * (U * (3 * reach[i] + radius[i]) * part + DIAGONAL * EYE_DIRECTION * distance[i]);
         }
         for (int i = from; i < to; i++) {
             double half = Math.abs(distance[i] + along[i]);
-            double square = 2 * DIAGONAL * EYE_DIRECTION * radius[i] * distance[i];
-            out[i] += Math.min(square / (2 * half), Math.sqrt(square));
-        }
-        for (int i = from; i < to; i++) {
-            out[i] += U * (3 * distance[i] + 6 * radius[i] + centre[i]);
+            out[i] += Math.min(reach[i] / (2 * half), Math.sqrt(2 * reach[i]));
         }
     }
 }

@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
@@ -262,6 +263,19 @@ final class Spheres extends BoundedSurfaces {
 
     /** By ray, the sphere that it has met. */
     private void spheres(int[] hit, double[] cx, double[] cy, double[] cz, double[] r, int from, int to) {
+        if (Arrays.equals(hit, from, to - 1, hit, from + 1, to)) {
+            // Each ray meets the same as the next.
+            int k = STRIDE * number(hit[from]);
+            Arrays.fill(cx, from, to, data[k]);
+            Arrays.fill(cy, from, to, data[k + 1]);
+            Arrays.fill(cz, from, to, data[k + 2]);
+            Arrays.fill(r, from, to, data[k + 3]);
+        } else {
+            gather(hit, cx, cy, cz, r, from, to);
+        }
+    }
+
+    private void gather(int[] hit, double[] cx, double[] cy, double[] cz, double[] r, int from, int to) {
         for (int i = from; i < to; i++) {
             int k = STRIDE * number(hit[i]);
             cx[i] = data[k];
