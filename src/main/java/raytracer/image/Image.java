@@ -75,8 +75,8 @@ public final class Image implements PixelSink {
     }
 
     /**
-     * floor(255 c + 1/2) of the double c exactly: the product's rounding error is put right, since it would decide the
-     * many colours such as .3 that are half a step but for their own last bit. NaN becomes 0.
+     * floor(255 c + 1/2) of the double c exactly: nothing is rounded on the way, since that would decide the many
+     * colours such as .3 that are half a step but for their own last bit. NaN becomes 0.
      */
     static byte quantise(double c) {
         if (!(c > 0)) {
@@ -85,11 +85,12 @@ public final class Image implements PixelSink {
         if (c >= 1) {
             return (byte) 255;
         }
-        double steps = 255 * c;
-        int nearest = (int) (steps + 0.5);
-        // Exact: both are multiples of the last bit of steps, and close.
-        double above = steps - (nearest - 0.5);
-        return (byte) (above > 0 || above == 0 && Math.fma(255, c, -steps) >= 0 ? nearest : nearest - 1);
+        // Doubles from here on are whole numbers: the sum is rounded to one, half a step to the even one, and has it in
+        // its last bits.
+        double shifted = Math.fma(255, c, 0x1p52);
+        double half = shifted - 0x1p52 + 0.5;
+        boolean isHalf = Math.fma(255, c, -half) == 0;
+        return (byte) (Double.doubleToRawLongBits(shifted) + (isHalf ? 1 : 0));
     }
 
     /** The same bytes as the standard library's picture. */

@@ -98,6 +98,15 @@ final class Rounding {
     }
 
     /**
+     * Bounds the error of the power of a ray's origin as it is computed from (direction . (origin - centre))^2 and
+     * r^2 - p^2, p being the perpendicular from the centre to the ray: 22u of |origin - centre|^2 from the first, 40u
+     * from the second and 4u from the direction's length; p^2 is at most 5/4 r^2.
+     */
+    static double passingPower(double alongSquare, double radiusSquare) {
+        return 96 * U * (alongSquare + radiusSquare);
+    }
+
+    /**
      * Bounds the error of direction . (origin - centre): 3u of the offset, and the errors of both.
      *
      * @param reach |x| + |y| + |z| of origin - centre

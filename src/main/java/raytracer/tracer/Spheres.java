@@ -127,14 +127,21 @@ final class Spheres extends BoundedSurfaces {
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
         passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
         double[] square = scratch.square, along = scratch.along;
-        double clear = -CLEAR * data[STRIDE * k + 3] * data[STRIDE * k + 3];
+        double r = data[STRIDE * k + 3], rr = r * r, clear = -CLEAR * rr;
         int lampSide = sideOfLamp(shadows.lamp, k);
         for (int i = from; i < to; i++) {
-            // Most that start on the sphere go outwards, and need no closer look.
-            if (square[i] >= clear && shadows.open[i] && !(along[i] >= 0 && rays.hit[i] == slot(k))) {
+            if (square[i] >= clear && shadows.open[i]
+                    && !(along[i] >= 0 && lampSide >= 0 && startsOutside(rays, i, k, along[i], square[i], r, rr))) {
                 shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
             }
         }
+    }
+
+    /** Whether a ray that has a sphere behind it clearly starts outside, or on it: most do, as floors are spheres. */
+    private boolean startsOutside(Rays rays, int i, int k, double along, double square, double r, double rr) {
+        double power = along * along - square;
+        return rays.hit[i] == slot(k)
+                || power > Rounding.power(rays.originError[i], r) + Rounding.passingPower(along * along, rr);
     }
 
     /** Computes for all rays r^2 less the square of the perpendicular. */

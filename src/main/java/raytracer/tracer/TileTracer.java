@@ -121,12 +121,26 @@ public final class TileTracer {
     }
 
     private void addToSamples() {
+        if (rays.leaveEye) {
+            setSamples(rays.pixel, samples.red, samples.green, samples.blue);
+            return;
+        }
         double[] red = samples.red, green = samples.green, blue = samples.blue;
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
             red[p] += times(rays.red[i], shading.red[i]);
             green[p] += times(rays.green[i], shading.green[i]);
             blue[p] += times(rays.blue[i], shading.blue[i]);
+        }
+    }
+
+    /** Rays from the eye bring all of the light there. */
+    private void setSamples(int[] pixel, double[] red, double[] green, double[] blue) {
+        for (int i = 0; i < rays.count; i++) {
+            int p = pixel[i];
+            red[p] = shading.red[i];
+            green[p] = shading.green[i];
+            blue[p] = shading.blue[i];
         }
     }
 
