@@ -127,21 +127,25 @@ final class Spheres extends BoundedSurfaces {
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
         passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
         double[] square = scratch.square, along = scratch.along;
-        double r = data[STRIDE * k + 3], rr = r * r, clear = -CLEAR * rr;
+        double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
         int lampSide = sideOfLamp(shadows.lamp, k);
         for (int i = from; i < to; i++) {
-            if (square[i] >= clear && shadows.open[i]
-                    && !(along[i] >= 0 && lampSide >= 0 && startsOutside(rays, i, k, along[i], square[i], r, rr))) {
-                shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
+            if (square[i] >= clear && shadows.open[i]) {
+                boolean behind = along[i] >= 0;
+                boolean plain = rays.hit[i] == slot(k)
+                        ? behind
+                        : (behind || square[i] >= 0) && lampSide >= 0 && startsOutside(rays, i, along[i], square[i], r);
+                shadows.open[i] = plain
+                        ? behind || -along[i] >= shadows.distance[i]
+                        : !blocks(rays, shadows, i, k, lampSide);
             }
         }
     }
 
-    /** Whether a ray that has a sphere behind it clearly starts outside, or on it: most do, as floors are spheres. */
-    private boolean startsOutside(Rays rays, int i, int k, double along, double square, double r, double rr) {
+    /** Whether a ray clearly starts outside a sphere that it passes by no farther than {@link #CLEAR}. */
+    private static boolean startsOutside(Rays rays, int i, double along, double square, double r) {
         double power = along * along - square;
-        return rays.hit[i] == slot(k)
-                || power > Rounding.power(rays.originError[i], r) + Rounding.passingPower(along * along, rr);
+        return power > Rounding.power(rays.originError[i], r) + Rounding.passingPower(along * along, r * r);
     }
 
     /** Computes for all rays r^2 less the square of the perpendicular. */
