@@ -6,6 +6,9 @@ final class Scratch {
     final BvhWalk walk = new BvhWalk();
     final Beam beam = new Beam();
 
+    /** Rays that a pass over all of them could not decide. */
+    final int[] doubtful = new int[Rays.CAPACITY];
+
     final double[] along = new double[Rays.CAPACITY];
     final double[] square = new double[Rays.CAPACITY];
     final double[] reach = new double[Rays.CAPACITY];

@@ -105,15 +105,31 @@ final class Spheres extends BoundedSurfaces {
         }
         // All rays start at the same point outside: what takes long to compute is the same for all.
         distances(power, along, square, t, from, to);
+        int doubtful = takeNearer(rays.hit, rays.distance, along, square, t, clear, slot(k), scratch.doubtful, from, to);
+        for (int n = 0; n < doubtful; n++) {
+            meet(rays, scratch.doubtful[n], k);
+        }
+    }
+
+    /** Takes what is met clearly, and nearer than all before; lists the rays that need a closer look. */
+    private static int takeNearer(int[] hit, double[] distance, double[] along, double[] square, double[] t,
+            double clear, int slot, int[] doubtful, int from, int to) {
+        int count = 0;
         for (int i = from; i < to; i++) {
             if (square[i] >= 0) {
-                if (along[i] < 0 && t[i] <= rays.reach(i)) {
-                    rays.offer(i, slot(k), t[i]);
+                if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
+                    if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
+                        hit[i] = slot;
+                        distance[i] = t[i];
+                    } else {
+                        doubtful[count++] = i;
+                    }
                 }
             } else if (square[i] >= clear) {
-                meet(rays, i, k);
+                doubtful[count++] = i;
             }
         }
+        return count;
     }
 
     /** The same as {@link #distance} for rays that start outside and meet the sphere. */
@@ -126,26 +142,41 @@ final class Spheres extends BoundedSurfaces {
     @Override
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
         passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
-        double[] square = scratch.square, along = scratch.along;
-        double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
         int lampSide = sideOfLamp(shadows.lamp, k);
-        for (int i = from; i < to; i++) {
-            if (square[i] >= clear && shadows.open[i]) {
-                boolean behind = along[i] >= 0;
-                boolean plain = rays.hit[i] == slot(k)
-                        ? behind
-                        : (behind || square[i] >= 0) && lampSide >= 0 && startsOutside(rays, i, along[i], square[i], r);
-                shadows.open[i] = plain
-                        ? behind || -along[i] >= shadows.distance[i]
-                        : !blocks(rays, shadows, i, k, lampSide);
-            }
+        int doubtful = closePlain(rays, shadows, from, to, k, lampSide, scratch);
+        for (int n = 0; n < doubtful; n++) {
+            int i = scratch.doubtful[n];
+            shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
         }
     }
 
+    /** Closes the ways that are blocked for certain; lists the rays that need a closer look. */
+    private int closePlain(Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
+        double[] square = scratch.square, along = scratch.along, distance = shadows.distance;
+        double[] originError = rays.originError;
+        boolean[] open = shadows.open;
+        int[] hit = rays.hit, doubtful = scratch.doubtful;
+        double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
+        int slot = slot(k), count = 0;
+        for (int i = from; i < to; i++) {
+            if (square[i] >= clear && open[i]) {
+                boolean behind = along[i] >= 0;
+                boolean plain = hit[i] == slot ? behind : (behind || square[i] >= 0) && lampSide >= 0
+                        && startsOutside(along[i], square[i], r, originError[i]);
+                if (!plain) {
+                    doubtful[count++] = i;
+                } else if (!behind && -along[i] < distance[i]) {
+                    open[i] = false;
+                }
+            }
+        }
+        return count;
+    }
+
     /** Whether a ray clearly starts outside a sphere that it passes by no farther than {@link #CLEAR}. */
-    private static boolean startsOutside(Rays rays, int i, double along, double square, double r) {
+    private static boolean startsOutside(double along, double square, double r, double originError) {
         double power = along * along - square;
-        return power > Rounding.power(rays.originError[i], r) + Rounding.passingPower(along * along, r * r);
+        return power > Rounding.power(originError, r) + Rounding.passingPower(along * along, r * r);
     }
 
     /** Computes for all rays r^2 less the square of the perpendicular. */
