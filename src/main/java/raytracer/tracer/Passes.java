@@ -80,20 +80,23 @@ final class Passes {
         }
     }
 
-    /** (x, y, z) /= divisor, by way of its reciprocal: its rounding changes the length alone, not the direction. */
-    static void divide(double[] x, double[] y, double[] z, double[] divisor, int from, int to) {
+    /**
+     * (x, y, z) /= length, by way of the reciprocal, whose rounding changes the length alone and not the direction. The
+     * zero vector stays what it is.
+     */
+    static void divide(double[] x, double[] y, double[] z, double[] length, int from, int to) {
         for (int i = from; i < to; i++) {
-            double reciprocal = 1 / divisor[i];
+            double reciprocal = 1 / Math.max(length[i], Double.MIN_NORMAL);
             x[i] *= reciprocal;
             y[i] *= reciprocal;
             z[i] *= reciprocal;
         }
     }
 
-    /** a /= b */
+    /** a /= b, which is not negative; nothing by nothing is nothing */
     static void divide(double[] a, double[] b, int from, int to) {
         for (int i = from; i < to; i++) {
-            a[i] /= b[i];
+            a[i] /= Math.max(b[i], Double.MIN_NORMAL);
         }
     }
 
@@ -101,6 +104,20 @@ final class Passes {
     static void multiply(double[] a, double[] b, int from, int to) {
         for (int i = from; i < to; i++) {
             a[i] *= b[i];
+        }
+    }
+
+    /** Cuts to [0, 1]. */
+    static void cut(double[] a, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] = Math.min(1, Math.max(0, a[i]));
+        }
+    }
+
+    /** a = min(a, b) */
+    static void limit(double[] a, double[] b, int from, int to) {
+        for (int i = from; i < to; i++) {
+            a[i] = Math.min(a[i], b[i]);
         }
     }
 

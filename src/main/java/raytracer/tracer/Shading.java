@@ -108,12 +108,24 @@ final class Shading {
 
     private void addLight(Colour light, Material material, int from, int to, Scratch scratch) {
         Colour diffuse = material.diffuse(), specular = material.specular();
-        cutLambert(from, to);
+        double[] most = scratch.square;
+        most(shadows.open, most, from, to);
+        Passes.cut(shadows.lambert, from, to);
+        Passes.limit(shadows.lambert, most, from, to);
         addTerm(light, diffuse, shadows.lambert, from, to);
         if (!specular.isBlack()) {
             double[] power = scratch.along;
-            power(material.shininess(), power, from, to, scratch);
+            Passes.cut(shadows.highlight, from, to);
+            power(material.shininess(), shadows.highlight, power, from, to);
+            Passes.limit(power, most, from, to);
             addTerm(light, specular, power, from, to);
+        }
+    }
+
+    /** The most that can be returned: nothing where the light is not seen. */
+    private static void most(boolean[] open, double[] most, int from, int to) {
+        for (int i = from; i < to; i++) {
+            most[i] = open[i] ? Double.POSITIVE_INFINITY : 0;
         }
     }
 
@@ -130,27 +142,17 @@ final class Shading {
         }
     }
 
-    private void cutLambert(int from, int to) {
-        for (int i = from; i < to; i++) {
-            if (!(shadows.open[i] && shadows.lambert[i] > 0)) {
-                shadows.lambert[i] = 0;
-            }
-        }
-    }
-
     /**
-     * The highlights, cut to [0, 1], to the power of s; 0 where the light is not seen. Whole exponents are multiplied
-     * out: that rounds by at most 2u s, no more than what an error of the highlight by 2u grows to.
+     * The highlights to the power of s. Whole exponents are multiplied out: that rounds by at most 2u s, no more than
+     * what an error of the highlight by 2u grows to.
+     *
+     * @param factor the highlights, of [0, 1]; is overwritten
      */
-    private void power(double s, double[] power, int from, int to, Scratch scratch) {
-        double[] factor = shadows.highlight;
-        for (int i = from; i < to; i++) {
-            factor[i] = factor[i] > 0 ? factor[i] > 1 ? 1 : factor[i] : 0;
-        }
+    private static void power(double s, double[] factor, double[] power, int from, int to) {
         int n = (int) Math.abs(s);
         if (n != Math.abs(s) || n > MOST_MULTIPLIED) {
             for (int i = from; i < to; i++) {
-                power[i] = shadows.open[i] ? Math.pow(factor[i], s) : 0;
+                power[i] = Math.pow(factor[i], s);
             }
             return;
         }
@@ -163,11 +165,6 @@ final class Shading {
         }
         if (s < 0) {
             Passes.invert(power, from, to);
-        }
-        for (int i = from; i < to; i++) {
-            if (!shadows.open[i]) {
-                power[i] = 0;
-            }
         }
     }
 }
