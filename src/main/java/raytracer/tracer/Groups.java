@@ -1,5 +1,7 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /**
  * Puts a tile's rays in order by the look of what they have met, so that all of a group arrive and are shaded by the
  * same rules and the same numbers. Most tiles have one or two groups.
@@ -38,7 +40,7 @@ final class Groups {
 
     /** Puts the rays in order; those that have met nothing leave. */
     void arrange(Rays rays) {
-        int met = assign(rays);
+        int met = haveMetTheSame(rays) ? makeOne(rays) : assign(rays);
         if (count == 1 && met == rays.count) {
             start[0] = 0;
             start[1] = met;
@@ -55,6 +57,18 @@ final class Groups {
         }
         start[count] = met;
         rays.select(order, met);
+    }
+
+    /** Whether each ray has met the same surface as the next. */
+    private static boolean haveMetTheSame(Rays rays) {
+        return rays.hit[0] != Rays.NONE
+                && Arrays.equals(rays.hit, 0, rays.count - 1, rays.hit, 1, rays.count);
+    }
+
+    private int makeOne(Rays rays) {
+        count = 1;
+        lookOf[0] = look[rays.hit[0]];
+        return rays.count;
     }
 
     /** Tells every ray its group, and counts each group's rays in {@link #start}. */

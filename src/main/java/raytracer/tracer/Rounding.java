@@ -165,9 +165,13 @@ final class Rounding {
             out[i] = 3 * U * (reach[i] + sum) * part + U * (3 * distance[i] + 7 * radius[i] + centre[i]);
             reach[i] = 2 * radius[i] * (U * (3 * reach[i] + radius[i]) * part + DIAGONAL * EYE_DIRECTION * distance[i]);
         }
+        addRoots(reach, along, distance, out, from, to);
+    }
+
+    private static void addRoots(double[] square, double[] along, double[] distance, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
             double half = Math.abs(distance[i] + along[i]);
-            out[i] += Math.min(reach[i] / (2 * half), Math.sqrt(2 * reach[i]));
+            out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));
         }
     }
 }
