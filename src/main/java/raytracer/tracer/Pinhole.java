@@ -40,15 +40,22 @@ final class Pinhole {
         return height;
     }
 
+    /** How rays get their directions, where their normals x and y are points of the picture. */
+    Pass[] aiming(Rays rays) {
+        return new Pass[] {
+            new ThroughPoints(rays.nx, rays.ny, width, height, right, up, backward, rays.direction),
+            new Pass.Length(rays.direction, rays.nz),
+            new Pass.DivideByLength(rays.direction, rays.nz),
+        };
+    }
+
     /** Makes the rays through some of these points: a ray's pixel is the number of its sample. */
-    void aim(Rays rays, Samples samples, int from, int count) {
+    void aim(Rays rays, Pass[] aiming, Samples samples, int from, int count) {
         rays.count = count;
         rays.leaveEye = true;
-        component(samples, from, right.x(), up.x(), backward.x(), rays.dx, count);
-        component(samples, from, right.y(), up.y(), backward.y(), rays.dy, count);
-        component(samples, from, right.z(), up.z(), backward.z(), rays.dz, count);
-        Passes.length(rays.dx, rays.dy, rays.dz, rays.nz, 0, count);
-        Passes.divide(rays.dx, rays.dy, rays.dz, rays.nz, 0, count);
+        System.arraycopy(samples.x, from, rays.nx, 0, count);
+        System.arraycopy(samples.y, from, rays.ny, 0, count);
+        Pass.run(aiming, 0, count);
         Arrays.fill(rays.directionError, 0, count, Rounding.EYE_DIRECTION);
         Arrays.fill(rays.ox, 0, count, eye.x());
         Arrays.fill(rays.oy, 0, count, eye.y());
@@ -63,13 +70,21 @@ final class Pinhole {
         }
     }
 
-    /** Twice the position less the size is exact for pixels' centres in a picture of any size. */
-    private void component(Samples samples, int from, double toRight, double toTop, double toEye, double[] out,
-            int count) {
-        double[] x = samples.x, y = samples.y;
-        double w = width, h = height;
-        for (int i = 0; i < count; i++) {
-            out[i] = (2 * x[from + i] - w) * toRight + (h - 2 * y[from + i]) * toTop - toEye;
+    /** Directions through points of the picture. */
+    private record ThroughPoints(double[] x, double[] y, double width, double height,
+            Vector right, Vector up, Vector backward, Vectors out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            component(right.x(), up.x(), backward.x(), out.x(), from, to);
+            component(right.y(), up.y(), backward.y(), out.y(), from, to);
+            component(right.z(), up.z(), backward.z(), out.z(), from, to);
+        }
+
+        /** Twice the position less the size is exact for pixels' centres in a picture of any size. */
+        private void component(double toRight, double toTop, double toEye, double[] out, int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = (2 * x[i] - width) * toRight + (height - 2 * y[i]) * toTop - toEye;
+            }
         }
     }
 }

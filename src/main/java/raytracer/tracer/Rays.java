@@ -52,12 +52,26 @@ final class Rays {
     final double[] green = new double[CAPACITY];
     final double[] blue = new double[CAPACITY];
 
+    // The same, as passes want them.
+    final Vectors origin = new Vectors(ox, oy, oz);
+    final Vectors direction = new Vectors(dx, dy, dz);
+    final Vectors normal = new Vectors(nx, ny, nz);
+
     // What moves with a ray.
-    private final double[][] ofAnyRay = {dx, dy, dz, distance};
-    private final double[][] ofLaterRays = {ox, oy, oz, originError, directionError, red, green, blue};
+    private final double[][] ofEyeRays = {dx, dy, dz, distance};
+    private final double[][] ofLaterRays =
+            {dx, dy, dz, distance, ox, oy, oz, originError, directionError, red, green, blue};
     private final double[][] ofArrivedRays = {nx, ny, nz, normalError};
     private final double[] selected = new double[CAPACITY];
     private final int[] selectedInts = new int[CAPACITY];
+
+    /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
+    private final Pass[] mirroring = {
+        new Pass.Dot(direction, normal, selected),
+        new Pass.AddProduct(direction, -2, selected, normal, direction),
+        new Pass.Length(direction, selected),
+        new Pass.DivideByLength(direction, selected),
+    };
 
     /** By slot: the surface's number in the order of declaration. */
     private final int[] declared;
@@ -133,15 +147,9 @@ final class Rays {
         normalError[ray] = 2 * Rounding.U;
     }
 
-    /** Turns all rays, which have arrived, into their mirror images: d - 2 (n . d) n. */
-    void mirror(Scratch scratch) {
-        Passes.dot(dx, dy, dz, nx, ny, nz, scratch.along, 0, count);
-        Passes.subtractTwice(dx, scratch.along, nx, 0, count);
-        Passes.subtractTwice(dy, scratch.along, ny, 0, count);
-        Passes.subtractTwice(dz, scratch.along, nz, 0, count);
-        // Its length is 1 but for rounding, which would add up from mirror to mirror.
-        Passes.length(dx, dy, dz, scratch.square, 0, count);
-        Passes.divide(dx, dy, dz, scratch.square, 0, count);
+    /** Turns all rays, which have arrived, into their mirror images. */
+    void mirror() {
+        Pass.run(mirroring, 0, count);
         for (int i = 0; i < count; i++) {
             directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
         }
@@ -150,25 +158,21 @@ final class Rays {
 
     /** Keeps some of the rays that have met something, in a new order; nothing is known yet of where they arrive. */
     void select(int[] order, int kept) {
-        if (!leaveEye) {
-            // From the eye, these are the same for all.
-            select(source, order, kept);
-            for (double[] quantity : ofLaterRays) {
-                select(quantity, order, kept);
-            }
-        }
         select(pixel, order, kept);
         select(hit, order, kept);
-        for (double[] quantity : ofAnyRay) {
-            select(quantity, order, kept);
-        }
+        // The other quantities are the same for all that leave the eye; and the next source is what was hit.
+        select(leaveEye ? ofEyeRays : ofLaterRays, order, kept);
         count = kept;
     }
 
     /** Keeps some of the rays that have arrived, in a new order. */
     void selectArrived(int[] order, int kept) {
         select(order, kept);
-        for (double[] quantity : ofArrivedRays) {
+        select(ofArrivedRays, order, kept);
+    }
+
+    private void select(double[][] quantities, int[] order, int kept) {
+        for (double[] quantity : quantities) {
             select(quantity, order, kept);
         }
     }

@@ -150,28 +150,51 @@ final class Rounding {
     /**
      * Bounds the error in each coordinate of computed points of spheres, centre + radius * normal, as against the
      * points where the same rays meet them exactly: the {@linkplain #sphereDistance distance}'s error, 2u of the
-     * distance from the direction, and 7u of the radius and u of the centre from the normal and the sum. The two
-     * errors under the root are taken together; apart, their roots may add up to the root of 2 times that.
+     * distance from the direction, and 7u of the radius and u of the centre from the normal and the sum.
      *
      * @param centre |x| + |y| + |z| of the centre
-     * @param reach  is overwritten
+     * @param reach  of origin - centre; is overwritten, as is part
      */
-    static void spherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
-            double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            double half = Math.abs(distance[i] + along[i]);
-            double sum = half + Math.abs(along[i]);
-            double part = Math.min(1, distance[i] / sum);
-            out[i] = 3 * U * (reach[i] + sum) * part + U * (3 * distance[i] + 7 * radius[i] + centre[i]);
-            reach[i] = 2 * radius[i] * (U * (3 * reach[i] + radius[i]) * part + DIAGONAL * EYE_DIRECTION * distance[i]);
+    record SpherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
+            double[] part, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            part(along, distance, part, from, to);
+            linear(centre, reach, radius, along, distance, part, out, from, to);
+            squares(reach, radius, distance, part, from, to);
+            addRoots(reach, along, distance, out, from, to);
         }
-        addRoots(reach, along, distance, out, from, to);
-    }
 
-    private static void addRoots(double[] square, double[] along, double[] distance, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            double half = Math.abs(distance[i] + along[i]);
-            out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));
+        /** The part of rounding errors that a distance has which is the power over a sum. */
+        private static void part(double[] along, double[] distance, double[] part, int from, int to) {
+            for (int i = from; i < to; i++) {
+                part[i] = Math.min(1, distance[i] / (Math.abs(distance[i] + along[i]) + Math.abs(along[i])));
+            }
+        }
+
+        private static void linear(double[] centre, double[] reach, double[] radius, double[] along,
+                double[] distance, double[] part, double[] out, int from, int to) {
+            for (int i = from; i < to; i++) {
+                double sum = Math.abs(distance[i] + along[i]) + Math.abs(along[i]);
+                out[i] = U * (3 * ((reach[i] + sum) * part[i] + distance[i]) + 7 * radius[i] + centre[i]);
+            }
+        }
+
+        private static void squares(
+                double[] reach, double[] radius, double[] distance, double[] part, int from, int to) {
+            for (int i = from; i < to; i++) {
+                reach[i] = 2 * radius[i]
+                        * (U * (3 * reach[i] + radius[i]) * part[i] + DIAGONAL * EYE_DIRECTION * distance[i]);
+            }
+        }
+
+        /** Two errors are under the root together; apart, their roots add up to the root of 2 times that at most. */
+        private static void addRoots(
+                double[] square, double[] along, double[] distance, double[] out, int from, int to) {
+            for (int i = from; i < to; i++) {
+                double half = Math.abs(distance[i] + along[i]);
+                out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));
+            }
         }
     }
 }

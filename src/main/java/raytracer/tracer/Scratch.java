@@ -1,10 +1,13 @@
 package raytracer.tracer;
 
-/** What one thread needs for looking for surfaces: a walk, a beam, and by ray numbers in between. */
+/** What one thread needs for looking for surfaces for its {@link Rays}: a walk, a beam, and by ray numbers in between. */
 final class Scratch {
 
     final BvhWalk walk = new BvhWalk();
     final Beam beam = new Beam();
+
+    /** Made when the first ray meets a sphere. */
+    SphereArrival sphereArrival;
 
     /** Rays that a pass over all of them could not decide. */
     final int[] doubtful = new int[Rays.CAPACITY];

@@ -13,17 +13,93 @@ final class Shading {
 
     private final List<Surfaces> surfaces;
     private final List<Lamp> lamps;
-    private final ShadowRays shadows = new ShadowRays();
+    private final Rays rays;
+    private final ShadowRays shadows;
     private long shadowCount;
+
+    private final Pass[] findLambert;
+    private final Pass[] findHighlight;
+    private final Pass[] limitLambert;
+    private final Pass[] limitHighlight;
+    private final Pass[] limitPower;
+    private final Pass[] multiplyPower;
+    private final Pass[] squareHighlight;
+    private final Pass[] invertPower;
+
+    // By ray: the light that is left, none or any; the highlight to the power of the shininess.
+    private final double[] most = new double[Rays.CAPACITY];
+    private final double[] power = new double[Rays.CAPACITY];
 
     // By ray: the result.
     final double[] red = new double[Rays.CAPACITY];
     final double[] green = new double[Rays.CAPACITY];
     final double[] blue = new double[Rays.CAPACITY];
 
-    Shading(List<Surfaces> surfaces, List<Lamp> lamps) {
+    private final Term diffuseTerm;
+    private final Term specularTerm;
+
+    /** @param rays what is shaded, when it has arrived */
+    Shading(List<Surfaces> surfaces, List<Lamp> lamps, Rays rays) {
         this.surfaces = surfaces;
         this.lamps = lamps;
+        this.rays = rays;
+        shadows = new ShadowRays(rays);
+        ShadowRays s = shadows;
+        findLambert = new Pass[] {new Pass.Dot(rays.normal, s.direction, s.lambert)};
+        // The half vector, not of length 1: the cosine is divided by its length instead.
+        Vectors half = new Vectors();
+        findHighlight = new Pass[] {
+            new Pass.Subtract(s.direction, rays.direction, half),
+            new Pass.Dot(rays.normal, half, s.highlight),
+            new Pass.Length(half, power),
+            new Pass.Divide(s.highlight, power, s.highlight),
+        };
+        limitLambert = new Pass[] {new Pass.Cut(s.lambert), new Pass.Limit(s.lambert, most)};
+        limitHighlight = new Pass[] {new Pass.Cut(s.highlight)};
+        limitPower = new Pass[] {new Pass.Limit(power, most)};
+        multiplyPower = new Pass[] {new Pass.Multiply(power, s.highlight)};
+        squareHighlight = new Pass[] {new Pass.Multiply(s.highlight, s.highlight)};
+        invertPower = new Pass[] {new Pass.Invert(power)};
+        diffuseTerm = new Term(s.lambert);
+        specularTerm = new Term(power);
+    }
+
+    /** Adds light times colour times a number by ray to the result. */
+    private final class Term implements Pass {
+        private final double[] by;
+        private final Pass[] passes = {this};
+        private Colour light;
+        private Colour colour;
+
+        Term(double[] by) {
+            this.by = by;
+        }
+
+        void add(Colour ofLight, Colour ofSurface, int from, int to) {
+            light = ofLight;
+            colour = ofSurface;
+            Pass.run(passes, from, to);
+        }
+
+        @Override
+        public void run(int from, int to) {
+            add(red, light.red(), colour.red(), from, to);
+            add(green, light.green(), colour.green(), from, to);
+            add(blue, light.blue(), colour.blue(), from, to);
+        }
+
+        /** Nothing of something infinite is nothing. */
+        private void add(double[] out, double f, double g, int from, int to) {
+            if (f != 0 && g != 0) {
+                addScaled(out, f, g, by, from, to);
+            }
+        }
+    }
+
+    private static void addScaled(double[] out, double f, double g, double[] by, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] += f * (g * by[i]);
+        }
     }
 
     /** How many shadow rays were traced since this was made. */
@@ -36,7 +112,7 @@ final class Shading {
      *
      * @param samples if they have paths, these take note of which lights are seen
      */
-    void shade(Rays rays, int from, int to, Material material, Samples samples, Scratch scratch) {
+    void shade(int from, int to, Material material, Samples samples, Scratch scratch) {
         Arrays.fill(red, from, to, material.ambient().red());
         Arrays.fill(green, from, to, material.ambient().green());
         Arrays.fill(blue, from, to, material.ambient().blue());
@@ -44,24 +120,24 @@ final class Shading {
             return;
         }
         for (Lamp lamp : lamps) {
-            shadows.aim(rays, lamp, from, to);
-            reflectance(rays, material, from, to, scratch);
+            shadows.aim(lamp, from, to);
+            reflectance(material, from, to);
             int open = open(material, from, to);
             if (open > 0) {
                 shadowCount += open;
                 for (Surfaces kind : surfaces) {
                     kind.block(rays, shadows, from, to, scratch);
                 }
-                addLight(lamp.colour(), material, from, to, scratch);
+                addLight(lamp.colour(), material, from, to);
             }
             // Even where all are dark: a path must not depend on what other rays are in the group.
             if (samples.path != null) {
-                extendPaths(samples, rays, from, to);
+                extendPaths(samples, from, to);
             }
         }
     }
 
-    private void extendPaths(Samples samples, Rays rays, int from, int to) {
+    private void extendPaths(Samples samples, int from, int to) {
         for (int i = from; i < to; i++) {
             int p = rays.pixel[i];
             if (!rays.isFainter(i, samples.faintest)) {
@@ -76,20 +152,11 @@ final class Shading {
     }
 
     /** Computes the cosines that decide how much light the surface returns. */
-    private void reflectance(Rays rays, Material material, int from, int to, Scratch scratch) {
-        ShadowRays s = shadows;
-        Passes.dot(rays.nx, rays.ny, rays.nz, s.dx, s.dy, s.dz, s.lambert, from, to);
-        if (material.specular().isBlack()) {
-            return;
+    private void reflectance(Material material, int from, int to) {
+        Pass.run(findLambert, from, to);
+        if (!material.specular().isBlack()) {
+            Pass.run(findHighlight, from, to);
         }
-        // The half vector, not of length 1: the cosine is divided by its length instead.
-        double[] hx = scratch.centreX, hy = scratch.centreY, hz = scratch.centreZ, length = scratch.square;
-        Passes.subtract(s.dx, rays.dx, hx, from, to);
-        Passes.subtract(s.dy, rays.dy, hy, from, to);
-        Passes.subtract(s.dz, rays.dz, hz, from, to);
-        Passes.length(hx, hy, hz, length, from, to);
-        Passes.dot(rays.nx, rays.ny, rays.nz, hx, hy, hz, s.highlight, from, to);
-        Passes.divide(s.highlight, length, from, to);
     }
 
     /** Opens the ways to the light on which it would add something; returns how many. */
@@ -106,19 +173,15 @@ final class Shading {
         return count;
     }
 
-    private void addLight(Colour light, Material material, int from, int to, Scratch scratch) {
-        Colour diffuse = material.diffuse(), specular = material.specular();
-        double[] most = scratch.square;
+    private void addLight(Colour light, Material material, int from, int to) {
         most(shadows.open, most, from, to);
-        Passes.cut(shadows.lambert, from, to);
-        Passes.limit(shadows.lambert, most, from, to);
-        addTerm(light, diffuse, shadows.lambert, from, to);
-        if (!specular.isBlack()) {
-            double[] power = scratch.along;
-            Passes.cut(shadows.highlight, from, to);
-            power(material.shininess(), shadows.highlight, power, from, to);
-            Passes.limit(power, most, from, to);
-            addTerm(light, specular, power, from, to);
+        Pass.run(limitLambert, from, to);
+        diffuseTerm.add(light, material.diffuse(), from, to);
+        if (!material.specular().isBlack()) {
+            Pass.run(limitHighlight, from, to);
+            power(material.shininess(), from, to);
+            Pass.run(limitPower, from, to);
+            specularTerm.add(light, material.specular(), from, to);
         }
     }
 
@@ -129,42 +192,27 @@ final class Shading {
         }
     }
 
-    /** Adds light times colour times a number by ray; nothing of something infinite is nothing. */
-    private void addTerm(Colour light, Colour colour, double[] by, int from, int to) {
-        if (light.red() != 0 && colour.red() != 0) {
-            Passes.addScaled(red, light.red(), colour.red(), by, from, to);
-        }
-        if (light.green() != 0 && colour.green() != 0) {
-            Passes.addScaled(green, light.green(), colour.green(), by, from, to);
-        }
-        if (light.blue() != 0 && colour.blue() != 0) {
-            Passes.addScaled(blue, light.blue(), colour.blue(), by, from, to);
-        }
-    }
-
     /**
-     * The highlights to the power of s. Whole exponents are multiplied out: that rounds by at most 2u s, no more than
-     * what an error of the highlight by 2u grows to.
-     *
-     * @param factor the highlights, of [0, 1]; is overwritten
+     * The highlights, which are overwritten, to the power of s. Whole exponents are multiplied out: that rounds by at
+     * most 2u s, no more than what an error of the highlight by 2u grows to.
      */
-    private static void power(double s, double[] factor, double[] power, int from, int to) {
+    private void power(double s, int from, int to) {
         int n = (int) Math.abs(s);
         if (n != Math.abs(s) || n > MOST_MULTIPLIED) {
             for (int i = from; i < to; i++) {
-                power[i] = Math.pow(factor[i], s);
+                power[i] = Math.pow(shadows.highlight[i], s);
             }
             return;
         }
         Arrays.fill(power, from, to, 1);
         for (; n > 0; n >>= 1) {
             if ((n & 1) == 1) {
-                Passes.multiply(power, factor, from, to);
+                Pass.run(multiplyPower, from, to);
             }
-            Passes.multiply(factor, factor, from, to);
+            Pass.run(squareHighlight, from, to);
         }
         if (s < 0) {
-            Passes.invert(power, from, to);
+            Pass.run(invertPower, from, to);
         }
     }
 }

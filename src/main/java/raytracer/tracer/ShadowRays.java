@@ -12,6 +12,7 @@ final class ShadowRays {
     final double[] dx = new double[Rays.CAPACITY];
     final double[] dy = new double[Rays.CAPACITY];
     final double[] dz = new double[Rays.CAPACITY];
+    final Vectors direction = new Vectors(dx, dy, dz);
     final double[] distance = new double[Rays.CAPACITY];
 
     /** Whether it matters that the light is seen, and no surface found so far is in its way. */
@@ -21,12 +22,29 @@ final class ShadowRays {
     final double[] lambert = new double[Rays.CAPACITY];
     final double[] highlight = new double[Rays.CAPACITY];
 
-    /** The light that the rays go to. */
+    /** The light that the rays go to; and its position, as often as there are rays. */
     Lamp lamp;
+    private final Vectors lamps = new Vectors();
+
+    private final Pass[] aiming;
+
+    /** @param rays that will have arrived where these start */
+    ShadowRays(Rays rays) {
+        aiming = new Pass[] {
+            new Pass.Subtract(lamps, rays.origin, direction),
+            new Pass.Length(direction, distance),
+            new Pass.DivideByLength(direction, distance),
+        };
+    }
 
     /** Sets out to a lamp from where rays, from one index to another, have arrived. */
-    void aim(Rays rays, Lamp to, int from, int end) {
-        lamp = to;
+    void aim(Lamp to, int from, int end) {
+        if (lamp != to) {
+            lamp = to;
+            Arrays.fill(lamps.x(), to.x());
+            Arrays.fill(lamps.y(), to.y());
+            Arrays.fill(lamps.z(), to.z());
+        }
         if (to.directional()) {
             Arrays.fill(dx, from, end, to.x());
             Arrays.fill(dy, from, end, to.y());
@@ -34,10 +52,6 @@ final class ShadowRays {
             Arrays.fill(distance, from, end, Double.POSITIVE_INFINITY);
             return;
         }
-        Passes.subtract(to.x(), rays.ox, dx, from, end);
-        Passes.subtract(to.y(), rays.oy, dy, from, end);
-        Passes.subtract(to.z(), rays.oz, dz, from, end);
-        Passes.length(dx, dy, dz, distance, from, end);
-        Passes.divide(dx, dy, dz, distance, from, end);
+        Pass.run(aiming, from, end);
     }
 }

@@ -281,39 +281,24 @@ final class Spheres extends BoundedSurfaces {
 
     @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
-        double[] cx = scratch.centreX, cy = scratch.centreY, cz = scratch.centreZ, r = scratch.radius;
-        spheres(rays.hit, cx, cy, cz, r, from, to);
-        double[] t = rays.distance, along = scratch.along, reach = scratch.reach;
-        Passes.subtract(rays.ox, cx, rays.nx, from, to);
-        Passes.subtract(rays.oy, cy, rays.ny, from, to);
-        Passes.subtract(rays.oz, cz, rays.nz, from, to);
-        Passes.reach(rays.nx, rays.ny, rays.nz, reach, from, to);
-        Passes.dot(rays.nx, rays.ny, rays.nz, rays.dx, rays.dy, rays.dz, along, from, to);
-        Passes.addProduct(rays.nx, t, rays.dx, from, to);
-        Passes.addProduct(rays.ny, t, rays.dy, from, to);
-        Passes.addProduct(rays.nz, t, rays.dz, from, to);
-        Passes.length(rays.nx, rays.ny, rays.nz, scratch.square, from, to);
-        Passes.divide(rays.nx, rays.ny, rays.nz, scratch.square, from, to);
-        moveTo(cx, r, rays.nx, rays.ox, from, to);
-        moveTo(cy, r, rays.ny, rays.oy, from, to);
-        moveTo(cz, r, rays.nz, rays.oz, from, to);
-        Passes.reach(cx, cy, cz, scratch.square, from, to);
-        Rounding.spherePosition(scratch.square, reach, r, along, t, rays.originError, from, to);
-        System.arraycopy(rays.originError, from, rays.normalError, from, to - from);
-        Passes.divide(rays.normalError, r, from, to);
+        if (scratch.sphereArrival == null) {
+            scratch.sphereArrival = new SphereArrival(rays, scratch);
+        }
+        spheres(rays.hit, scratch, from, to);
+        scratch.sphereArrival.run(from, to);
     }
 
-    /** By ray, the sphere that it has met. */
-    private void spheres(int[] hit, double[] cx, double[] cy, double[] cz, double[] r, int from, int to) {
+    /** Finds by ray the sphere that it has met. */
+    private void spheres(int[] hit, Scratch scratch, int from, int to) {
         if (Arrays.equals(hit, from, to - 1, hit, from + 1, to)) {
             // Each ray meets the same as the next.
             int k = STRIDE * number(hit[from]);
-            Arrays.fill(cx, from, to, data[k]);
-            Arrays.fill(cy, from, to, data[k + 1]);
-            Arrays.fill(cz, from, to, data[k + 2]);
-            Arrays.fill(r, from, to, data[k + 3]);
+            Arrays.fill(scratch.centreX, from, to, data[k]);
+            Arrays.fill(scratch.centreY, from, to, data[k + 1]);
+            Arrays.fill(scratch.centreZ, from, to, data[k + 2]);
+            Arrays.fill(scratch.radius, from, to, data[k + 3]);
         } else {
-            gather(hit, cx, cy, cz, r, from, to);
+            gather(hit, scratch.centreX, scratch.centreY, scratch.centreZ, scratch.radius, from, to);
         }
     }
 
@@ -324,12 +309,6 @@ final class Spheres extends BoundedSurfaces {
             cy[i] = data[k + 1];
             cz[i] = data[k + 2];
             r[i] = data[k + 3];
-        }
-    }
-
-    private static void moveTo(double[] centre, double[] radius, double[] normal, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = centre[i] + radius[i] * normal[i];
         }
     }
 }

@@ -27,9 +27,16 @@ public final class TileTracer {
 
     private final Scratch scratch = new Scratch();
     private final Rays rays;
+    private final Pass[] aiming;
     private final Groups groups;
     private final Shading shading;
     private final int[] kept = new int[Rays.CAPACITY];
+
+    /** In a list, as passes are, so that HotSpot compiles each of them alone. */
+    private final Runnable[] steps = {this::findNearest, this::arrive, this::shade, this::reflect};
+
+    /** How many surfaces a path from the eye has met when it ends where it is. */
+    private int depth;
 
     /** What is being traced: rays know their sample's number as their pixel. */
     private Samples samples;
@@ -44,7 +51,8 @@ public final class TileTracer {
         this.maxDepth = maxDepth;
         rays = new Rays(slots.declared(), surfaces);
         groups = new Groups(slots);
-        shading = new Shading(surfaces, lamps);
+        aiming = pinhole.aiming(rays);
+        shading = new Shading(surfaces, lamps, rays);
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
@@ -63,16 +71,13 @@ public final class TileTracer {
         if (samples.path != null) {
             Arrays.fill(samples.path, from, from + count, 0);
         }
-        pinhole.aim(rays, samples, from, count);
+        pinhole.aim(rays, aiming, samples, from, count);
         primaryCount += count;
-        for (int depth = 1; rays.count > 0; depth++) {
-            findNearest();
-            shade();
-            if (depth == maxDepth) {
-                break;
+        depth = 1;
+        while (rays.count > 0) {
+            for (Runnable step : steps) {
+                step.run();
             }
-            reflect();
-            reflectionCount += rays.count;
         }
     }
 
@@ -83,13 +88,17 @@ public final class TileTracer {
         return new RayCounts(primaryCount, shading.shadowCount(), reflectionCount);
     }
 
-    /** Takes every ray to the nearest surface; those that meet none leave. */
+    /** Finds every ray's nearest surface; those that meet none leave. */
     private void findNearest() {
         rays.clearHits();
         for (Surfaces kind : surfaces) {
             kind.findNearest(rays, scratch);
         }
         groups.arrange(rays);
+    }
+
+    /** Takes every ray there, and notes what it has met. */
+    private void arrive() {
         for (int group = 0; group < groups.count(); group++) {
             int first = rays.hit[groups.start(group)];
             for (Surfaces kind : surfaces) {
@@ -115,7 +124,7 @@ public final class TileTracer {
 
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(rays, groups.start(group), groups.end(group), material[groups.look(group)], samples, scratch);
+            shading.shade(groups.start(group), groups.end(group), material[groups.look(group)], samples, scratch);
         }
         addToSamples();
     }
@@ -146,6 +155,10 @@ public final class TileTracer {
 
     /** Turns every ray into its mirror image; those that cannot change their pixel any more leave. */
     private void reflect() {
+        if (depth++ == maxDepth) {
+            rays.count = 0;
+            return;
+        }
         int count = 0;
         for (int group = 0; group < groups.count(); group++) {
             Colour mirror = material[groups.look(group)].specular();
@@ -157,7 +170,8 @@ public final class TileTracer {
         if (count < rays.count) {
             rays.selectArrived(kept, count);
         }
-        rays.mirror(scratch);
+        rays.mirror();
+        reflectionCount += count;
     }
 
     /** Takes a mirror's share of light from rays, and keeps those that are worth following; returns how many are. */

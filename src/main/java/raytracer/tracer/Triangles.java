@@ -103,18 +103,24 @@ final class Triangles extends BoundedSurfaces {
 
     private static void prepare(
             Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, Scratch scratch) {
-        Passes.cross(rays.oy, rays.oz, dy, dz, scratch.momentX, from, to);
-        Passes.cross(rays.oz, rays.ox, dz, dx, scratch.momentY, from, to);
-        Passes.cross(rays.ox, rays.oy, dx, dy, scratch.momentZ, from, to);
-        Passes.reach(rays.ox, rays.oy, rays.oz, scratch.reach, from, to);
-        scratch.farthest = greatest(scratch.reach, from, to);
+        cross(rays.oy, rays.oz, dy, dz, scratch.momentX, from, to);
+        cross(rays.oz, rays.ox, dz, dx, scratch.momentY, from, to);
+        cross(rays.ox, rays.oy, dx, dy, scratch.momentZ, from, to);
+        scratch.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
         scratch.originError = greatest(rays.originError, from, to);
+    }
+
+    /** One component of a x b, of the other two: out = ay bz - az by. */
+    private static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ay[i] * bz[i] - az[i] * by[i];
+        }
     }
 
     private static double greatest(double[] values, int from, int to) {
         double greatest = 0;
         for (int i = from; i < to; i++) {
-            greatest = Math.max(greatest, values[i]);
+            greatest = Math.max(greatest, Math.abs(values[i]));
         }
         return greatest;
     }
@@ -155,7 +161,7 @@ final class Triangles extends BoundedSurfaces {
         sides(at, at + 3, dx, dy, dz, ab, from, to, scratch);
         sides(at + 3, at + 6, dx, dy, dz, bc, from, to, scratch);
         sides(at + 6, at, dx, dy, dz, ca, from, to, scratch);
-        Passes.leastProduct(ab, bc, ca, scratch.square, from, to);
+        leastProduct(ab, bc, ca, scratch.square, from, to);
         double edges = difference(at, at + 3) + difference(at, at + 6);
         double reach = Math.abs(data[at]) + Math.abs(data[at + 1]) + Math.abs(data[at + 2]) + edges + scratch.farthest;
         double most = 4 * edges * reach;
@@ -172,8 +178,23 @@ final class Triangles extends BoundedSurfaces {
             Scratch scratch) {
         double ex = data[b] - data[a], ey = data[b + 1] - data[a + 1], ez = data[b + 2] - data[a + 2];
         double sx = data[a] + data[b], sy = data[a + 1] + data[b + 1], sz = data[a + 2] + data[b + 2];
-        Passes.dots(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, dx, dy, dz,
+        dots(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, dx, dy, dz,
                 -2 * ex, -2 * ey, -2 * ez, scratch.momentX, scratch.momentY, scratch.momentZ, out, from, to);
+    }
+
+    /** out = a . x + b . y, with a and b the same for all */
+    private static void dots(double ax, double ay, double az, double[] x1, double[] y1, double[] z1,
+            double bx, double by, double bz, double[] x2, double[] y2, double[] z2, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ax * x1[i] + ay * y1[i] + az * z1[i] + (bx * x2[i] + by * y2[i] + bz * z2[i]);
+        }
+    }
+
+    /** out = min(a b, b c, c a) */
+    private static void leastProduct(double[] a, double[] b, double[] c, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
+        }
     }
 
     @Override

@@ -133,7 +133,6 @@ class MeetingTest {
     void keepsItsLengthOverAMillionMirrors() {
         Rays rays = new Rays(new int[1], java.util.List.of());
         Vector d = at(.3, .5, .8).unit(), n = at(.6, .7, .1).unit(), m = at(-.1, .9, .3).unit();
-        Scratch scratch = new Scratch();
         rays.count = 1;
         rays.dx[0] = d.x();
         rays.dy[0] = d.y();
@@ -143,7 +142,7 @@ class MeetingTest {
             rays.nx[0] = normal.x();
             rays.ny[0] = normal.y();
             rays.nz[0] = normal.z();
-            rays.mirror(scratch);
+            rays.mirror();
         }
         assertEquals(1, at(rays.dx[0], rays.dy[0], rays.dz[0]).length(), 4 * Rounding.U);
     }

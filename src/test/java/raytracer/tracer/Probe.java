@@ -50,7 +50,7 @@ public final class Probe {
 
     /** Whether a light is seen from where the last ray arrived. */
     boolean sees(Lamp lamp) {
-        ShadowRays shadows = new ShadowRays();
+        ShadowRays shadows = new ShadowRays(rays);
         shadows.lamp = lamp;
         Vector way = new Vector(lamp.x(), lamp.y(), lamp.z());
         shadows.distance[0] = Double.POSITIVE_INFINITY;
