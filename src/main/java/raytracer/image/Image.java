@@ -75,8 +75,9 @@ public final class Image implements PixelSink {
     }
 
     /**
-     * floor(255 c + 1/2) of the double c exactly: nothing is rounded on the way, since that would decide the many
-     * colours such as .3 that are half a step but for their own last bit. NaN becomes 0.
+     * floor(255 c + 1/2) of the double c exactly. Nothing is rounded but once, to a whole number: that would decide the
+     * many colours such as .3 that are half a step but for their own last bit. The one double that is half a step
+     * exactly is 1/2, which rounds to the even number 128, and so upwards. NaN becomes 0.
      */
     static byte quantise(double c) {
         if (!(c > 0)) {
@@ -85,12 +86,8 @@ public final class Image implements PixelSink {
         if (c >= 1) {
             return (byte) 255;
         }
-        // Doubles from here on are whole numbers: the sum is rounded to one, half a step to the even one, and has it in
-        // its last bits.
-        double shifted = Math.fma(255, c, 0x1p52);
-        double half = shifted - 0x1p52 + 0.5;
-        boolean isHalf = Math.fma(255, c, -half) == 0;
-        return (byte) (Double.doubleToRawLongBits(shifted) + (isHalf ? 1 : 0));
+        // From 2^52 on doubles are whole numbers, which are in their last bits.
+        return (byte) Double.doubleToRawLongBits(Math.fma(255, c, 0x1p52));
     }
 
     /** The same bytes as the standard library's picture. */
