@@ -1,5 +1,7 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /**
  * Arithmetic on all of a tile's numbers or vectors, from one index up to before another. Each of its loops is so small
  * that HotSpot's C2 turns it into vector instructions: it gives up on more than about seven arrays, and on comparisons.
@@ -17,31 +19,32 @@ interface Pass {
         }
     }
 
-    /** out = a . b */
-    record Dot(Vectors a, Vectors b, double[] out) implements Pass {
+    /** One pass after the other. */
+    record InTurn(Pass... passes) implements Pass {
         @Override
         public void run(int from, int to) {
-            dot(a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), out, from, to);
+            Pass.run(passes, from, to);
         }
+    }
 
-        private static void dot(double[] ax, double[] ay, double[] az, double[] bx, double[] by, double[] bz,
-                double[] out, int from, int to) {
-            for (int i = from; i < to; i++) {
-                out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i];
-            }
+    /** a = value */
+    record Fill(double[] a, double value) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            Arrays.fill(a, from, to, value);
         }
     }
 
     /** out = a - b */
-    record Subtract(Vectors a, Vectors b, Vectors out) implements Pass {
+    static Pass subtract(Vectors a, Vectors b, Vectors out) {
+        return new InTurn(new Subtract(a.x(), b.x(), out.x()), new Subtract(a.y(), b.y(), out.y()),
+                new Subtract(a.z(), b.z(), out.z()));
+    }
+
+    /** out = a - b */
+    record Subtract(double[] a, double[] b, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
-            subtract(a.x(), b.x(), out.x(), from, to);
-            subtract(a.y(), b.y(), out.y(), from, to);
-            subtract(a.z(), b.z(), out.z(), from, to);
-        }
-
-        private static void subtract(double[] a, double[] b, double[] out, int from, int to) {
             for (int i = from; i < to; i++) {
                 out[i] = a[i] - b[i];
             }
@@ -49,17 +52,28 @@ interface Pass {
     }
 
     /** out = a + factor t b */
-    record AddProduct(Vectors a, double factor, double[] t, Vectors b, Vectors out) implements Pass {
+    static Pass addProduct(Vectors a, double factor, double[] t, Vectors b, Vectors out) {
+        return new InTurn(new AddProduct(a.x(), factor, t, b.x(), out.x()),
+                new AddProduct(a.y(), factor, t, b.y(), out.y()), new AddProduct(a.z(), factor, t, b.z(), out.z()));
+    }
+
+    /** out = a + factor t b */
+    record AddProduct(double[] a, double factor, double[] t, double[] b, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
-            add(a.x(), factor, t, b.x(), out.x(), from, to);
-            add(a.y(), factor, t, b.y(), out.y(), from, to);
-            add(a.z(), factor, t, b.z(), out.z(), from, to);
-        }
-
-        private static void add(double[] a, double factor, double[] t, double[] b, double[] out, int from, int to) {
             for (int i = from; i < to; i++) {
                 out[i] = a[i] + factor * t[i] * b[i];
+            }
+        }
+    }
+
+    /** out = a . b */
+    record Dot(Vectors a, Vectors b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] ax = a.x(), ay = a.y(), az = a.z(), bx = b.x(), by = b.y(), bz = b.z();
+            for (int i = from; i < to; i++) {
+                out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i];
             }
         }
     }
@@ -68,10 +82,7 @@ interface Pass {
     record Length(Vectors v, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
-            length(v.x(), v.y(), v.z(), out, from, to);
-        }
-
-        private static void length(double[] x, double[] y, double[] z, double[] out, int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
             for (int i = from; i < to; i++) {
                 out[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
             }
@@ -82,10 +93,7 @@ interface Pass {
     record Reach(Vectors v, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
-            reach(v.x(), v.y(), v.z(), out, from, to);
-        }
-
-        private static void reach(double[] x, double[] y, double[] z, double[] out, int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
             for (int i = from; i < to; i++) {
                 out[i] = Math.abs(x[i]) + Math.abs(y[i]) + Math.abs(z[i]);
             }
@@ -99,10 +107,7 @@ interface Pass {
     record DivideByLength(Vectors v, double[] length) implements Pass {
         @Override
         public void run(int from, int to) {
-            divide(v.x(), v.y(), v.z(), length, from, to);
-        }
-
-        private static void divide(double[] x, double[] y, double[] z, double[] length, int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
             for (int i = from; i < to; i++) {
                 double reciprocal = 1 / Math.max(length[i], Double.MIN_NORMAL);
                 x[i] *= reciprocal;

@@ -40,48 +40,47 @@ final class Pinhole {
         return height;
     }
 
-    /** How rays get their directions, where their normals x and y are points of the picture. */
+    /** How rays get ready, where their normals x and y are points of the picture. */
     Pass[] aiming(Rays rays) {
         return new Pass[] {
-            new ThroughPoints(rays.nx, rays.ny, width, height, right, up, backward, rays.direction),
+            component(rays, right.x(), up.x(), backward.x(), rays.dx),
+            component(rays, right.y(), up.y(), backward.y(), rays.dy),
+            component(rays, right.z(), up.z(), backward.z(), rays.dz),
             new Pass.Length(rays.direction, rays.nz),
             new Pass.DivideByLength(rays.direction, rays.nz),
+            new Pass.Fill(rays.directionError, Rounding.EYE_DIRECTION),
+            new Pass.Fill(rays.ox, eye.x()),
+            new Pass.Fill(rays.oy, eye.y()),
+            new Pass.Fill(rays.oz, eye.z()),
+            new Pass.Fill(rays.originError, 0),
+            new Pass.Fill(rays.red, 1),
+            new Pass.Fill(rays.green, 1),
+            new Pass.Fill(rays.blue, 1),
         };
     }
 
+    private Pass component(Rays rays, double toRight, double toTop, double toEye, double[] out) {
+        return new Component(rays.nx, rays.ny, width, height, toRight, toTop, toEye, out);
+    }
+
     /** Makes the rays through some of these points: a ray's pixel is the number of its sample. */
-    void aim(Rays rays, Pass[] aiming, Samples samples, int from, int count) {
+    static void aim(Rays rays, Pass[] aiming, Samples samples, int from, int count) {
         rays.count = count;
         rays.leaveEye = true;
         System.arraycopy(samples.x, from, rays.nx, 0, count);
         System.arraycopy(samples.y, from, rays.ny, 0, count);
         Pass.run(aiming, 0, count);
-        Arrays.fill(rays.directionError, 0, count, Rounding.EYE_DIRECTION);
-        Arrays.fill(rays.ox, 0, count, eye.x());
-        Arrays.fill(rays.oy, 0, count, eye.y());
-        Arrays.fill(rays.oz, 0, count, eye.z());
-        Arrays.fill(rays.originError, 0, count, 0);
         Arrays.fill(rays.source, 0, count, Rays.NONE);
-        Arrays.fill(rays.red, 0, count, 1);
-        Arrays.fill(rays.green, 0, count, 1);
-        Arrays.fill(rays.blue, 0, count, 1);
         for (int i = 0; i < count; i++) {
             rays.pixel[i] = from + i;
         }
     }
 
-    /** Directions through points of the picture. */
-    private record ThroughPoints(double[] x, double[] y, double width, double height,
-            Vector right, Vector up, Vector backward, Vectors out) implements Pass {
+    /** Of directions. Twice the position less the size is exact for pixels' centres in a picture of any size. */
+    private record Component(double[] x, double[] y, double width, double height,
+            double toRight, double toTop, double toEye, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
-            component(right.x(), up.x(), backward.x(), out.x(), from, to);
-            component(right.y(), up.y(), backward.y(), out.y(), from, to);
-            component(right.z(), up.z(), backward.z(), out.z(), from, to);
-        }
-
-        /** Twice the position less the size is exact for pixels' centres in a picture of any size. */
-        private void component(double toRight, double toTop, double toEye, double[] out, int from, int to) {
             for (int i = from; i < to; i++) {
                 out[i] = (2 * x[i] - width) * toRight + (height - 2 * y[i]) * toTop - toEye;
             }

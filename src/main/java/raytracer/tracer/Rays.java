@@ -68,7 +68,7 @@ final class Rays {
     /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
     private final Pass[] mirroring = {
         new Pass.Dot(direction, normal, selected),
-        new Pass.AddProduct(direction, -2, selected, normal, direction),
+        Pass.addProduct(direction, -2, selected, normal, direction),
         new Pass.Length(direction, selected),
         new Pass.DivideByLength(direction, selected),
     };

@@ -155,42 +155,51 @@ final class Rounding {
      * @param centre |x| + |y| + |z| of the centre
      * @param reach  of origin - centre; is overwritten, as is part
      */
-    record SpherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
-            double[] part, double[] out) implements Pass {
+    static Pass spherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
+            double[] part, double[] out) {
+        return new Pass.InTurn(
+                new PartOfRounding(along, distance, part),
+                new LinearPart(centre, reach, radius, along, distance, part, out),
+                new Squares(reach, radius, distance, part),
+                new AddRoots(reach, along, distance, out));
+    }
+
+    /** The part of rounding errors that a distance has which is the power over a sum. */
+    private record PartOfRounding(double[] along, double[] distance, double[] part) implements Pass {
         @Override
         public void run(int from, int to) {
-            part(along, distance, part, from, to);
-            linear(centre, reach, radius, along, distance, part, out, from, to);
-            squares(reach, radius, distance, part, from, to);
-            addRoots(reach, along, distance, out, from, to);
-        }
-
-        /** The part of rounding errors that a distance has which is the power over a sum. */
-        private static void part(double[] along, double[] distance, double[] part, int from, int to) {
             for (int i = from; i < to; i++) {
                 part[i] = Math.min(1, distance[i] / (Math.abs(distance[i] + along[i]) + Math.abs(along[i])));
             }
         }
+    }
 
-        private static void linear(double[] centre, double[] reach, double[] radius, double[] along,
-                double[] distance, double[] part, double[] out, int from, int to) {
+    private record LinearPart(double[] centre, double[] reach, double[] radius, double[] along,
+            double[] distance, double[] part, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
             for (int i = from; i < to; i++) {
                 double sum = Math.abs(distance[i] + along[i]) + Math.abs(along[i]);
                 out[i] = U * (3 * ((reach[i] + sum) * part[i] + distance[i]) + 7 * radius[i] + centre[i]);
             }
         }
+    }
 
-        private static void squares(
-                double[] reach, double[] radius, double[] distance, double[] part, int from, int to) {
+    /** The errors under the root, in place of the reach. */
+    private record Squares(double[] reach, double[] radius, double[] distance, double[] part) implements Pass {
+        @Override
+        public void run(int from, int to) {
             for (int i = from; i < to; i++) {
                 reach[i] = 2 * radius[i]
                         * (U * (3 * reach[i] + radius[i]) * part[i] + DIAGONAL * EYE_DIRECTION * distance[i]);
             }
         }
+    }
 
-        /** Two errors are under the root together; apart, their roots add up to the root of 2 times that at most. */
-        private static void addRoots(
-                double[] square, double[] along, double[] distance, double[] out, int from, int to) {
+    /** Two errors are under the root together; apart, their roots add up to the root of 2 times that at most. */
+    private record AddRoots(double[] square, double[] along, double[] distance, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
             for (int i = from; i < to; i++) {
                 double half = Math.abs(distance[i] + along[i]);
                 out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));

@@ -21,6 +21,9 @@ final class Scratch {
     final double[] centreZ = new double[Rays.CAPACITY];
     final double[] radius = new double[Rays.CAPACITY];
 
+    /** The same, in the order of a sphere's numbers. */
+    final double[][] sphere = {centreX, centreY, centreZ, radius};
+
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
     final double[] momentX = new double[Rays.CAPACITY];
     final double[] momentY = new double[Rays.CAPACITY];

@@ -49,7 +49,7 @@ final class Shading {
         // The half vector, not of length 1: the cosine is divided by its length instead.
         Vectors half = new Vectors();
         findHighlight = new Pass[] {
-            new Pass.Subtract(s.direction, rays.direction, half),
+            Pass.subtract(s.direction, rays.direction, half),
             new Pass.Dot(rays.normal, half, s.highlight),
             new Pass.Length(half, power),
             new Pass.Divide(s.highlight, power, s.highlight),

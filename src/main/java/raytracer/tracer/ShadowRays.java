@@ -31,7 +31,7 @@ final class ShadowRays {
     /** @param rays that will have arrived where these start */
     ShadowRays(Rays rays) {
         aiming = new Pass[] {
-            new Pass.Subtract(lamps, rays.origin, direction),
+            Pass.subtract(lamps, rays.origin, direction),
             new Pass.Length(direction, distance),
             new Pass.DivideByLength(direction, distance),
         };

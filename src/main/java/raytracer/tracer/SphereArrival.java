@@ -11,15 +11,15 @@ final class SphereArrival {
     SphereArrival(Rays rays, Scratch scratch) {
         Vectors centre = new Vectors(scratch.centreX, scratch.centreY, scratch.centreZ);
         passes = new Pass[] {
-            new Pass.Subtract(rays.origin, centre, rays.normal),
+            Pass.subtract(rays.origin, centre, rays.normal),
             new Pass.Reach(rays.normal, scratch.reach),
             new Pass.Dot(rays.normal, rays.direction, scratch.along),
-            new Pass.AddProduct(rays.normal, 1, rays.distance, rays.direction, rays.normal),
+            Pass.addProduct(rays.normal, 1, rays.distance, rays.direction, rays.normal),
             new Pass.Length(rays.normal, scratch.square),
             new Pass.DivideByLength(rays.normal, scratch.square),
-            new Pass.AddProduct(centre, 1, scratch.radius, rays.normal, rays.origin),
+            Pass.addProduct(centre, 1, scratch.radius, rays.normal, rays.origin),
             new Pass.Reach(centre, scratch.square),
-            new Rounding.SpherePosition(scratch.square, scratch.reach, scratch.radius, scratch.along, rays.distance,
+            Rounding.spherePosition(scratch.square, scratch.reach, scratch.radius, scratch.along, rays.distance,
                     scratch.distance, rays.originError),
             new Pass.Divide(rays.originError, scratch.radius, rays.normalError),
         };

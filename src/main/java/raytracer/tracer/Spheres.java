@@ -293,10 +293,9 @@ final class Spheres extends BoundedSurfaces {
         if (Arrays.equals(hit, from, to - 1, hit, from + 1, to)) {
             // Each ray meets the same as the next.
             int k = STRIDE * number(hit[from]);
-            Arrays.fill(scratch.centreX, from, to, data[k]);
-            Arrays.fill(scratch.centreY, from, to, data[k + 1]);
-            Arrays.fill(scratch.centreZ, from, to, data[k + 2]);
-            Arrays.fill(scratch.radius, from, to, data[k + 3]);
+            for (int number = 0; number < STRIDE; number++) {
+                Arrays.fill(scratch.sphere[number], from, to, data[k + number]);
+            }
         } else {
             gather(hit, scratch.centreX, scratch.centreY, scratch.centreZ, scratch.radius, from, to);
         }

@@ -13,14 +13,13 @@ import raytracer.scene.Material;
 public final class TileTracer {
 
     /**
-     * Fewer rays are traced together until HotSpot has compiled the passes: one of 64 rounds that was called 600
-     * times is compiled as a whole, but one of more has gone round 40,000 times before, and is compiled for the
-     * single call that it is in first, to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
+     * Fewer rays are traced together until HotSpot has compiled the passes: one that was called 600 times is compiled
+     * as a whole, but one that has gone round 40,000 times before is compiled for the single call that it is in first,
+     * to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
-    private static final int COLD_CAPACITY = 64;
-    private static final int COLD_RAYS = 1800 * COLD_CAPACITY;
+    private static final int COLD_CAPACITY = 40;
+    private static final int COLD_RAYS = 3000 * COLD_CAPACITY;
 
-    private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
     private final Material[] material;
     private final int maxDepth;
@@ -45,7 +44,6 @@ public final class TileTracer {
     private long reflectionCount;
 
     TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
-        this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.material = slots.material();
         this.maxDepth = maxDepth;
@@ -71,7 +69,7 @@ public final class TileTracer {
         if (samples.path != null) {
             Arrays.fill(samples.path, from, from + count, 0);
         }
-        pinhole.aim(rays, aiming, samples, from, count);
+        Pinhole.aim(rays, aiming, samples, from, count);
         primaryCount += count;
         depth = 1;
         while (rays.count > 0) {
