@@ -158,20 +158,26 @@ final class BvhBuilder {
             int node = nodes.add();
             Range[] parts = new Range[Bvh.WIDTH];
             int count = split(parent, parts);
+            Subtree[] tasks = forkLarge(parts, count);
+            for (int k = 0; k < count; k++) {
+                int child = parts[k].size() <= leafSize ? Bvh.leaf(parts[k].from, parts[k].size())
+                        : tasks[k] != null ? nodes.append(tasks[k].join()) : grow(nodes, parts[k]);
+                nodes.setBox(node, k, parts[k].box);
+                nodes.setChild(node, k, child);
+            }
+            return node;
+        }
+
+        /** Apart from {@link #grow}, which C2 otherwise compiles before, and together with, all that it calls. */
+        private Subtree[] forkLarge(Range[] parts, int count) {
             Subtree[] tasks = new Subtree[count];
             for (int k = 0; k < count; k++) {
-                nodes.setBox(node, k, parts[k].box);
                 if (parts[k].size() >= PARALLEL_SIZE) {
                     tasks[k] = new Subtree(parts[k], offset);
                     tasks[k].fork();
                 }
             }
-            for (int k = 0; k < count; k++) {
-                int child = parts[k].size() <= leafSize ? Bvh.leaf(parts[k].from, parts[k].size())
-                        : tasks[k] != null ? nodes.append(tasks[k].join()) : grow(nodes, parts[k]);
-                nodes.setChild(node, k, child);
-            }
-            return node;
+            return tasks;
         }
 
         /** Splits a range, then the larger-surfaced of its parts, until there are as many as a node has children. */
