@@ -6,24 +6,25 @@ import java.util.Arrays;
  * Arithmetic on all of a tile's numbers or vectors, from one index up to before another. Each of its loops is so small
  * that HotSpot's C2 turns it into vector instructions: it gives up on more than about seven arrays, and on comparisons.
  *
- * <p>Passes are objects that know their arrays, and are run from lists, so that each kind is compiled once. Were they
- * methods, C2 would copy them into every method on the way there, some several times over, and be busy for seconds.
+ * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Pass, int, int)}, where one call is
+ * of any kind, so that each kind is compiled once. Were they methods, C2 would copy them into every method on the way
+ * there, some several times over, and be busy for seconds.
  */
 interface Pass {
 
     void run(int from, int to);
 
-    static void run(Pass[] passes, int from, int to) {
-        for (Pass pass : passes) {
-            pass.run(from, to);
-        }
+    static void run(Pass pass, int from, int to) {
+        pass.run(from, to);
     }
 
     /** One pass after the other. */
     record InTurn(Pass... passes) implements Pass {
         @Override
         public void run(int from, int to) {
-            Pass.run(passes, from, to);
+            for (Pass pass : passes) {
+                Pass.run(pass, from, to);
+            }
         }
     }
 

@@ -41,22 +41,21 @@ final class Pinhole {
     }
 
     /** How rays get ready, where their normals x and y are points of the picture. */
-    Pass[] aiming(Rays rays) {
-        return new Pass[] {
-            component(rays, right.x(), up.x(), backward.x(), rays.dx),
-            component(rays, right.y(), up.y(), backward.y(), rays.dy),
-            component(rays, right.z(), up.z(), backward.z(), rays.dz),
-            new Pass.Length(rays.direction, rays.nz),
-            new Pass.DivideByLength(rays.direction, rays.nz),
-            new Pass.Fill(rays.directionError, Rounding.EYE_DIRECTION),
-            new Pass.Fill(rays.ox, eye.x()),
-            new Pass.Fill(rays.oy, eye.y()),
-            new Pass.Fill(rays.oz, eye.z()),
-            new Pass.Fill(rays.originError, 0),
-            new Pass.Fill(rays.red, 1),
-            new Pass.Fill(rays.green, 1),
-            new Pass.Fill(rays.blue, 1),
-        };
+    Pass aiming(Rays rays) {
+        return new Pass.InTurn(
+                component(rays, right.x(), up.x(), backward.x(), rays.dx),
+                component(rays, right.y(), up.y(), backward.y(), rays.dy),
+                component(rays, right.z(), up.z(), backward.z(), rays.dz),
+                new Pass.Length(rays.direction, rays.nz),
+                new Pass.DivideByLength(rays.direction, rays.nz),
+                new Pass.Fill(rays.directionError, Rounding.EYE_DIRECTION),
+                new Pass.Fill(rays.ox, eye.x()),
+                new Pass.Fill(rays.oy, eye.y()),
+                new Pass.Fill(rays.oz, eye.z()),
+                new Pass.Fill(rays.originError, 0),
+                new Pass.Fill(rays.red, 1),
+                new Pass.Fill(rays.green, 1),
+                new Pass.Fill(rays.blue, 1));
     }
 
     private Pass component(Rays rays, double toRight, double toTop, double toEye, double[] out) {
@@ -64,7 +63,7 @@ final class Pinhole {
     }
 
     /** Makes the rays through some of these points: a ray's pixel is the number of its sample. */
-    static void aim(Rays rays, Pass[] aiming, Samples samples, int from, int count) {
+    static void aim(Rays rays, Pass aiming, Samples samples, int from, int count) {
         rays.count = count;
         rays.leaveEye = true;
         System.arraycopy(samples.x, from, rays.nx, 0, count);

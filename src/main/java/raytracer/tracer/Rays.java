@@ -66,12 +66,11 @@ final class Rays {
     private final int[] selectedInts = new int[CAPACITY];
 
     /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
-    private final Pass[] mirroring = {
-        new Pass.Dot(direction, normal, selected),
-        Pass.addProduct(direction, -2, selected, normal, direction),
-        new Pass.Length(direction, selected),
-        new Pass.DivideByLength(direction, selected),
-    };
+    private final Pass mirroring = new Pass.InTurn(
+            new Pass.Dot(direction, normal, selected),
+            Pass.addProduct(direction, -2, selected, normal, direction),
+            new Pass.Length(direction, selected),
+            new Pass.DivideByLength(direction, selected));
 
     /** By slot: the surface's number in the order of declaration. */
     private final int[] declared;

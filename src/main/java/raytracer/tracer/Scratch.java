@@ -1,6 +1,6 @@
 package raytracer.tracer;
 
-/** What one thread needs for looking for surfaces for its {@link Rays}: a walk, a beam, and by ray numbers in between. */
+/** What one thread needs to find surfaces for its {@link Rays}: a walk, a beam, and by ray numbers in between. */
 final class Scratch {
 
     final BvhWalk walk = new BvhWalk();
@@ -20,9 +20,6 @@ final class Scratch {
     final double[] centreY = new double[Rays.CAPACITY];
     final double[] centreZ = new double[Rays.CAPACITY];
     final double[] radius = new double[Rays.CAPACITY];
-
-    /** The same, in the order of a sphere's numbers. */
-    final double[][] sphere = {centreX, centreY, centreZ, radius};
 
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
     final double[] momentX = new double[Rays.CAPACITY];

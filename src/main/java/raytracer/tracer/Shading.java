@@ -17,14 +17,14 @@ final class Shading {
     private final ShadowRays shadows;
     private long shadowCount;
 
-    private final Pass[] findLambert;
-    private final Pass[] findHighlight;
-    private final Pass[] limitLambert;
-    private final Pass[] limitHighlight;
-    private final Pass[] limitPower;
-    private final Pass[] multiplyPower;
-    private final Pass[] squareHighlight;
-    private final Pass[] invertPower;
+    private final Pass findLambert;
+    private final Pass findHighlight;
+    private final Pass limitLambert;
+    private final Pass cutHighlight;
+    private final Pass multiplyPower;
+    private final Pass squareHighlight;
+    private final Pass invertPower;
+    private final Pass limitPower;
 
     // By ray: the light that is left, none or any; the highlight to the power of the shininess.
     private final double[] most = new double[Rays.CAPACITY];
@@ -45,21 +45,20 @@ final class Shading {
         this.rays = rays;
         shadows = new ShadowRays(rays);
         ShadowRays s = shadows;
-        findLambert = new Pass[] {new Pass.Dot(rays.normal, s.direction, s.lambert)};
+        findLambert = new Pass.Dot(rays.normal, s.direction, s.lambert);
         // The half vector, not of length 1: the cosine is divided by its length instead.
         Vectors half = new Vectors();
-        findHighlight = new Pass[] {
-            Pass.subtract(s.direction, rays.direction, half),
-            new Pass.Dot(rays.normal, half, s.highlight),
-            new Pass.Length(half, power),
-            new Pass.Divide(s.highlight, power, s.highlight),
-        };
-        limitLambert = new Pass[] {new Pass.Cut(s.lambert), new Pass.Limit(s.lambert, most)};
-        limitHighlight = new Pass[] {new Pass.Cut(s.highlight)};
-        limitPower = new Pass[] {new Pass.Limit(power, most)};
-        multiplyPower = new Pass[] {new Pass.Multiply(power, s.highlight)};
-        squareHighlight = new Pass[] {new Pass.Multiply(s.highlight, s.highlight)};
-        invertPower = new Pass[] {new Pass.Invert(power)};
+        findHighlight = new Pass.InTurn(
+                Pass.subtract(s.direction, rays.direction, half),
+                new Pass.Dot(rays.normal, half, s.highlight),
+                new Pass.Length(half, power),
+                new Pass.Divide(s.highlight, power, s.highlight));
+        limitLambert = new Pass.InTurn(new Pass.Cut(s.lambert), new Pass.Limit(s.lambert, most));
+        cutHighlight = new Pass.Cut(s.highlight);
+        multiplyPower = new Pass.Multiply(power, s.highlight);
+        squareHighlight = new Pass.Multiply(s.highlight, s.highlight);
+        invertPower = new Pass.Invert(power);
+        limitPower = new Pass.Limit(power, most);
         diffuseTerm = new Term(s.lambert);
         specularTerm = new Term(power);
     }
@@ -67,7 +66,6 @@ final class Shading {
     /** Adds light times colour times a number by ray to the result. */
     private final class Term implements Pass {
         private final double[] by;
-        private final Pass[] passes = {this};
         private Colour light;
         private Colour colour;
 
@@ -78,7 +76,7 @@ final class Shading {
         void add(Colour ofLight, Colour ofSurface, int from, int to) {
             light = ofLight;
             colour = ofSurface;
-            Pass.run(passes, from, to);
+            Pass.run(this, from, to);
         }
 
         @Override
@@ -178,7 +176,7 @@ final class Shading {
         Pass.run(limitLambert, from, to);
         diffuseTerm.add(light, material.diffuse(), from, to);
         if (!material.specular().isBlack()) {
-            Pass.run(limitHighlight, from, to);
+            Pass.run(cutHighlight, from, to);
             power(material.shininess(), from, to);
             Pass.run(limitPower, from, to);
             specularTerm.add(light, material.specular(), from, to);

@@ -26,15 +26,14 @@ final class ShadowRays {
     Lamp lamp;
     private final Vectors lamps = new Vectors();
 
-    private final Pass[] aiming;
+    private final Pass aiming;
 
     /** @param rays that will have arrived where these start */
     ShadowRays(Rays rays) {
-        aiming = new Pass[] {
-            Pass.subtract(lamps, rays.origin, direction),
-            new Pass.Length(direction, distance),
-            new Pass.DivideByLength(direction, distance),
-        };
+        aiming = new Pass.InTurn(
+                Pass.subtract(lamps, rays.origin, direction),
+                new Pass.Length(direction, distance),
+                new Pass.DivideByLength(direction, distance));
     }
 
     /** Sets out to a lamp from where rays, from one index to another, have arrived. */

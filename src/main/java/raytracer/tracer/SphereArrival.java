@@ -1,31 +1,57 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /**
- * Takes rays to where they have met spheres, whose centres and radii are in {@link Scratch}: their origins become those
- * points, with bounds on their errors, and the normals are set.
+ * Takes rays to where they have met spheres: their origins become those points, with bounds on their errors, and the
+ * normals are set.
  */
 final class SphereArrival {
 
-    private final Pass[] passes;
+    private final double[] data;
+    private final int firstSlot;
+    private final int[] hit;
+    /** By ray the sphere that it has met, in the order of a sphere's numbers. */
+    private final double[][] sphere;
+    private final Pass passes;
 
-    SphereArrival(Rays rays, Scratch scratch) {
+    /** @param data spheres, {@link Spheres#STRIDE} numbers each */
+    SphereArrival(double[] data, int firstSlot, Rays rays, Scratch scratch) {
+        this.data = data;
+        this.firstSlot = firstSlot;
+        hit = rays.hit;
+        double[] radius = scratch.radius;
         Vectors centre = new Vectors(scratch.centreX, scratch.centreY, scratch.centreZ);
-        passes = new Pass[] {
-            Pass.subtract(rays.origin, centre, rays.normal),
-            new Pass.Reach(rays.normal, scratch.reach),
-            new Pass.Dot(rays.normal, rays.direction, scratch.along),
-            Pass.addProduct(rays.normal, 1, rays.distance, rays.direction, rays.normal),
-            new Pass.Length(rays.normal, scratch.square),
-            new Pass.DivideByLength(rays.normal, scratch.square),
-            Pass.addProduct(centre, 1, scratch.radius, rays.normal, rays.origin),
-            new Pass.Reach(centre, scratch.square),
-            Rounding.spherePosition(scratch.square, scratch.reach, scratch.radius, scratch.along, rays.distance,
-                    scratch.distance, rays.originError),
-            new Pass.Divide(rays.originError, scratch.radius, rays.normalError),
-        };
+        sphere = new double[][] {centre.x(), centre.y(), centre.z(), radius};
+        passes = new Pass.InTurn(
+                Pass.subtract(rays.origin, centre, rays.normal),
+                new Pass.Reach(rays.normal, scratch.reach),
+                new Pass.Dot(rays.normal, rays.direction, scratch.along),
+                Pass.addProduct(rays.normal, 1, rays.distance, rays.direction, rays.normal),
+                new Pass.Length(rays.normal, scratch.square),
+                new Pass.DivideByLength(rays.normal, scratch.square),
+                Pass.addProduct(centre, 1, radius, rays.normal, rays.origin),
+                new Pass.Reach(centre, scratch.square),
+                Rounding.spherePosition(scratch.square, scratch.reach, radius, scratch.along, rays.distance,
+                        scratch.distance, rays.originError),
+                new Pass.Divide(rays.originError, radius, rays.normalError));
     }
 
     void run(int from, int to) {
+        for (int number = 0; number < Spheres.STRIDE; number++) {
+            find(sphere[number], number, from, to);
+        }
         Pass.run(passes, from, to);
+    }
+
+    private void find(double[] out, int number, int from, int to) {
+        if (Arrays.equals(hit, from, to - 1, hit, from + 1, to)) {
+            // Each ray has met the same as the next.
+            Arrays.fill(out, from, to, data[Spheres.STRIDE * (hit[from] - firstSlot) + number]);
+            return;
+        }
+        for (int i = from; i < to; i++) {
+            out[i] = data[Spheres.STRIDE * (hit[i] - firstSlot) + number];
+        }
     }
 }

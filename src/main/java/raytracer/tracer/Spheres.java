@@ -1,6 +1,5 @@
 package raytracer.tracer;
 
-import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
@@ -16,7 +15,7 @@ final class Spheres extends BoundedSurfaces {
     static final int LEAF_SIZE = 1;
 
     /** Numbers of one sphere in {@link #data}: centre and radius. */
-    private static final int STRIDE = 4;
+    static final int STRIDE = 4;
 
     /**
      * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this is clear of the sphere: errors are
@@ -105,7 +104,8 @@ final class Spheres extends BoundedSurfaces {
         }
         // All rays start at the same point outside: what takes long to compute is the same for all.
         distances(power, along, square, t, from, to);
-        int doubtful = takeNearer(rays.hit, rays.distance, along, square, t, clear, slot(k), scratch.doubtful, from, to);
+        int doubtful = takeNearer(
+                rays.hit, rays.distance, along, square, t, clear, slot(k), scratch.doubtful, from, to);
         for (int n = 0; n < doubtful; n++) {
             meet(rays, scratch.doubtful[n], k);
         }
@@ -282,32 +282,8 @@ final class Spheres extends BoundedSurfaces {
     @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         if (scratch.sphereArrival == null) {
-            scratch.sphereArrival = new SphereArrival(rays, scratch);
+            scratch.sphereArrival = new SphereArrival(data, slot(0), rays, scratch);
         }
-        spheres(rays.hit, scratch, from, to);
         scratch.sphereArrival.run(from, to);
-    }
-
-    /** Finds by ray the sphere that it has met. */
-    private void spheres(int[] hit, Scratch scratch, int from, int to) {
-        if (Arrays.equals(hit, from, to - 1, hit, from + 1, to)) {
-            // Each ray meets the same as the next.
-            int k = STRIDE * number(hit[from]);
-            for (int number = 0; number < STRIDE; number++) {
-                Arrays.fill(scratch.sphere[number], from, to, data[k + number]);
-            }
-        } else {
-            gather(hit, scratch.centreX, scratch.centreY, scratch.centreZ, scratch.radius, from, to);
-        }
-    }
-
-    private void gather(int[] hit, double[] cx, double[] cy, double[] cz, double[] r, int from, int to) {
-        for (int i = from; i < to; i++) {
-            int k = STRIDE * number(hit[i]);
-            cx[i] = data[k];
-            cy[i] = data[k + 1];
-            cz[i] = data[k + 2];
-            r[i] = data[k + 3];
-        }
     }
 }

@@ -26,7 +26,7 @@ public final class TileTracer {
 
     private final Scratch scratch = new Scratch();
     private final Rays rays;
-    private final Pass[] aiming;
+    private final Pass aiming;
     private final Groups groups;
     private final Shading shading;
     private final int[] kept = new int[Rays.CAPACITY];
