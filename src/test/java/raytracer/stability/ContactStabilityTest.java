@@ -46,6 +46,22 @@ class ContactStabilityTest {
     }
 
     @Test
+    @DisplayName("a floor a hair below the top of a planet sees no light above, though the perpendicular cannot tell")
+    void floorInPlanet() throws Exception {
+        Random random = new Random(3);
+        Probe probe = new Probe("plane 0 -1e-11 0 0 1 0\nsphere 0 -1e6 0 1e6");
+        int leaks = 0;
+        for (int i = 0; i < POINTS; i++) {
+            Probe.Meeting m = probe.shoot(new Vector(1e-6 * random.nextDouble(), -1, 1e-6 * random.nextDouble()),
+                    new Vector(0, 1, 0));
+            assertEquals(0, m.shape());
+            Vector lamp = new Vector(random.nextDouble(), 1 + random.nextDouble(), random.nextDouble());
+            leaks += probe.seesPoint(lamp) ? 1 : 0;
+        }
+        assertEquals(0, leaks);
+    }
+
+    @Test
     @DisplayName("any fixed epsilon either leaks or makes acne")
     void epsilons() {
         for (double epsilon : new double[] {1e-12, 1e-9, 1e-6, 1e-3}) {
