@@ -42,6 +42,15 @@ class ShadingTest {
     }
 
     @Test
+    void isAmbientWhereTheLightItselfIsThoughOthersAroundAreLit() throws Exception {
+        double[] colours = Pictures.trace("size 3 3\ncamera 0 0 5 0 0 0 0 1 0 45\npoint 0 0 0 1 1 1\n"
+                + "ambient .25 .25 .25\nspecular .5 .5 .5\nshininess 2\n" + WALL);
+        int middle = 3 * 4;
+        assertEquals(.25, colours[middle]);
+        assertTrue(colours[middle - 3] > .3 && colours[middle + 3] > .3, () -> Arrays.toString(colours));
+    }
+
+    @Test
     void isUnattenuatedByDistance() throws Exception {
         assertMiddle(.5, .5, .5, "point 0 0 1000 1 1 1\ndiffuse .5 .5 .5\n" + WALL);
     }
