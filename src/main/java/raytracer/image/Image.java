@@ -75,9 +75,10 @@ public final class Image implements PixelSink {
     }
 
     /**
-     * floor(255 c + 1/2) of the double c exactly. Nothing is rounded but once, to a whole number: that would decide the
-     * many colours such as .3 that are half a step but for their own last bit. The one double that is half a step
-     * exactly is 1/2, which rounds to the even number 128, and so upwards. NaN becomes 0.
+     * floor(255 c + 1/2) of the double c exactly. It is rounded once, to a whole number: rounding the product before
+     * would decide the many colours such as .3 that are half a step but for their own last bit. The one double that is
+     * half a step exactly is 1/2 (255 divides no other numerator), which rounds to the even 128, and so upwards. NaN
+     * becomes 0.
      */
     static byte quantise(double c) {
         if (!(c > 0)) {

@@ -1,7 +1,5 @@
 package raytracer.tracer;
 
-import java.util.Arrays;
-
 /**
  * Puts a tile's rays in order by the look of what they have met, so that all of a group arrive and are shaded by the
  * same rules and the same numbers. Most tiles have one or two groups.
@@ -40,7 +38,7 @@ final class Groups {
 
     /** Puts the rays in order; those that have met nothing leave. */
     void arrange(Rays rays) {
-        int met = haveMetTheSame(rays) ? makeOne(rays) : assign(rays);
+        int met = rays.hit[0] != Rays.NONE && rays.haveMetTheSame(0, rays.count) ? makeOne(rays) : assign(rays);
         if (count == 1 && met == rays.count) {
             start[0] = 0;
             start[1] = met;
@@ -57,12 +55,6 @@ final class Groups {
         }
         start[count] = met;
         rays.select(order, met);
-    }
-
-    /** Whether each ray has met the same surface as the next. */
-    private static boolean haveMetTheSame(Rays rays) {
-        return rays.hit[0] != Rays.NONE
-                && Arrays.equals(rays.hit, 0, rays.count - 1, rays.hit, 1, rays.count);
     }
 
     private int makeOne(Rays rays) {

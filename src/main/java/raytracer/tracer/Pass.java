@@ -118,7 +118,7 @@ interface Pass {
         }
     }
 
-    /** out = a / b, which is not negative; nothing by nothing is nothing. */
+    /** out = a / b, where b is not negative; nothing by nothing is nothing. */
     record Divide(double[] a, double[] b, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {

@@ -1,6 +1,5 @@
 package raytracer.tracer;
 
-import java.util.Arrays;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
@@ -40,7 +39,7 @@ final class Pinhole {
         return height;
     }
 
-    /** How rays get ready, where their normals x and y are points of the picture. */
+    /** What makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
     Pass aiming(Rays rays) {
         return new Pass.InTurn(
                 component(rays, right.x(), up.x(), backward.x(), rays.dx),
@@ -60,19 +59,6 @@ final class Pinhole {
 
     private Pass component(Rays rays, double toRight, double toTop, double toEye, double[] out) {
         return new Component(rays.nx, rays.ny, width, height, toRight, toTop, toEye, out);
-    }
-
-    /** Makes the rays through some of these points: a ray's pixel is the number of its sample. */
-    static void aim(Rays rays, Pass aiming, Samples samples, int from, int count) {
-        rays.count = count;
-        rays.leaveEye = true;
-        System.arraycopy(samples.x, from, rays.nx, 0, count);
-        System.arraycopy(samples.y, from, rays.ny, 0, count);
-        Pass.run(aiming, 0, count);
-        Arrays.fill(rays.source, 0, count, Rays.NONE);
-        for (int i = 0; i < count; i++) {
-            rays.pixel[i] = from + i;
-        }
     }
 
     /** Of directions. Twice the position less the size is exact for pixels' centres in a picture of any size. */

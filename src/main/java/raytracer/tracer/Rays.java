@@ -83,6 +83,29 @@ final class Rays {
         this.surfaces = surfaces;
     }
 
+    /**
+     * Starts at the eye, through some of these points: a ray's pixel is the number of its sample.
+     *
+     * @param aiming as {@link Pinhole#aiming} makes it
+     */
+    void start(Pass aiming, Samples samples, int from, int number) {
+        count = number;
+        leaveEye = true;
+        System.arraycopy(samples.x, from, nx, 0, count);
+        System.arraycopy(samples.y, from, ny, 0, count);
+        Pass.run(aiming, 0, count);
+        Arrays.fill(source, 0, count, NONE);
+        for (int i = 0; i < count; i++) {
+            pixel[i] = from + i;
+        }
+    }
+
+    /** Whether all rays from one index to another have met the same surface, or none. */
+    boolean haveMetTheSame(int from, int to) {
+        // Each has if the next has.
+        return Arrays.equals(hit, from, to - 1, hit, from + 1, to);
+    }
+
     /** Forgets what was met. */
     void clearHits() {
         Arrays.fill(hit, 0, count, NONE);

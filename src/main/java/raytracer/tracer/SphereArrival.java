@@ -10,7 +10,7 @@ final class SphereArrival {
 
     private final double[] data;
     private final int firstSlot;
-    private final int[] hit;
+    private final Rays rays;
     /** By ray the sphere that it has met, in the order of a sphere's numbers. */
     private final double[][] sphere;
     private final Pass passes;
@@ -19,7 +19,7 @@ final class SphereArrival {
     SphereArrival(double[] data, int firstSlot, Rays rays, Scratch scratch) {
         this.data = data;
         this.firstSlot = firstSlot;
-        hit = rays.hit;
+        this.rays = rays;
         double[] radius = scratch.radius;
         Vectors centre = new Vectors(scratch.centreX, scratch.centreY, scratch.centreZ);
         sphere = new double[][] {centre.x(), centre.y(), centre.z(), radius};
@@ -38,20 +38,25 @@ final class SphereArrival {
     }
 
     void run(int from, int to) {
+        boolean same = rays.haveMetTheSame(from, to);
         for (int number = 0; number < Spheres.STRIDE; number++) {
-            find(sphere[number], number, from, to);
+            if (same) {
+                Arrays.fill(sphere[number], from, to, data[at(from) + number]);
+            } else {
+                gather(sphere[number], number, from, to);
+            }
         }
         Pass.run(passes, from, to);
     }
 
-    private void find(double[] out, int number, int from, int to) {
-        if (Arrays.equals(hit, from, to - 1, hit, from + 1, to)) {
-            // Each ray has met the same as the next.
-            Arrays.fill(out, from, to, data[Spheres.STRIDE * (hit[from] - firstSlot) + number]);
-            return;
-        }
+    private void gather(double[] out, int number, int from, int to) {
         for (int i = from; i < to; i++) {
-            out[i] = data[Spheres.STRIDE * (hit[i] - firstSlot) + number];
+            out[i] = data[at(i) + number];
         }
+    }
+
+    /** Where the numbers of the sphere are that a ray has met. */
+    private int at(int ray) {
+        return Spheres.STRIDE * (rays.hit[ray] - firstSlot);
     }
 }

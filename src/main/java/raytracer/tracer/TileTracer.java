@@ -31,10 +31,10 @@ public final class TileTracer {
     private final Shading shading;
     private final int[] kept = new int[Rays.CAPACITY];
 
-    /** In a list, as passes are, so that HotSpot compiles each of them alone. */
+    /** In turn from one place, as passes are run, so that HotSpot compiles each of them alone. */
     private final Runnable[] steps = {this::findNearest, this::arrive, this::shade, this::reflect};
 
-    /** How many surfaces a path from the eye has met when it ends where it is. */
+    /** How many surfaces the paths of this round's rays have met with the one that they meet now. */
     private int depth;
 
     /** What is being traced: rays know their sample's number as their pixel. */
@@ -69,7 +69,7 @@ public final class TileTracer {
         if (samples.path != null) {
             Arrays.fill(samples.path, from, from + count, 0);
         }
-        Pinhole.aim(rays, aiming, samples, from, count);
+        rays.start(aiming, samples, from, count);
         primaryCount += count;
         depth = 1;
         while (rays.count > 0) {
@@ -151,7 +151,7 @@ public final class TileTracer {
         }
     }
 
-    /** Turns every ray into its mirror image; those that cannot change their pixel any more leave. */
+    /** Turns every ray into its mirror image; those that may go no deeper, or change their pixel no more, leave. */
     private void reflect() {
         if (depth++ == maxDepth) {
             rays.count = 0;
