@@ -25,6 +25,10 @@ final class Beam {
     private final double[] leastDirection = new double[3];
     private final double[] greatestDirection = new double[3];
     private double reach;
+    private boolean backwards;
+
+    /** The greatest coordinate of where rays start, in world space. */
+    private double farthestStart;
 
     private final int[] things = new int[MOST + Bvh.LEAF_SIZE];
     private int count;
@@ -37,7 +41,9 @@ final class Beam {
         } else {
             span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
         }
+        noteStarts();
         span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
+        backwards = false;
         reach = 0;
         for (int i = from; i < to; i++) {
             reach = rays.distance[i] > reach ? rays.distance[i] : reach;
@@ -50,6 +56,8 @@ final class Beam {
      */
     void take(Rays rays, Lamp lamp, int from, int to) {
         span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
+        noteStarts();
+        backwards = !lamp.directional();
         if (lamp.directional()) {
             point(lamp.x(), lamp.y(), lamp.z(), leastDirection, greatestDirection);
             reach = Double.POSITIVE_INFINITY;
@@ -63,6 +71,13 @@ final class Beam {
             greatestOrigin[axis] = position;
         }
         reach = 1;
+    }
+
+    private void noteStarts() {
+        farthestStart = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            farthestStart = Math.max(farthestStart, Math.max(Math.abs(leastOrigin[axis]), Math.abs(greatestOrigin[axis])));
+        }
     }
 
     private static void point(double x, double y, double z, double[] least, double[] greatest) {
@@ -124,6 +139,17 @@ final class Beam {
         return true;
     }
 
+    /** Whether the rays go the same way, and start near enough to the tree for doubles to be as exact as its boxes. */
+    boolean isNarrow(Bvh bvh) {
+        double centre = Math.max(Math.abs(bvh.centreX()), Math.max(Math.abs(bvh.centreY()), Math.abs(bvh.centreZ())));
+        return isNarrow() && (farthestStart + centre) * bvh.scale() < FARTHEST;
+    }
+
+    /** Whether the rays are taken from where they end. */
+    boolean isBackwards() {
+        return backwards;
+    }
+
     int count() {
         return count;
     }
@@ -158,22 +184,29 @@ final class Beam {
     private int push(Bvh bvh, int node, int stacked) {
         int top = stacked;
         for (int child = 0; child < Bvh.WIDTH; child++) {
-            if (mayMeet(bvh.boxes(), node * Bvh.BOX_STRIDE + child)) {
-                stack[top++] = bvh.children()[node * Bvh.WIDTH + child];
+            int at = node * Bvh.NODE_STRIDE + child;
+            if (distance(bvh.nodes(), at) < Double.POSITIVE_INFINITY) {
+                stack[top++] = bvh.child(at);
             }
         }
         return top;
     }
 
-    /** Whether the intervals of distances at which the rays are between a box's sides have anything in common. */
-    private boolean mayMeet(float[] boxes, int box) {
+    /**
+     * How far away, at least, rays may meet a box, in tree space; infinite if none does: if the intervals of distances
+     * at which the rays are between the box's sides have nothing in common.
+     *
+     * @param at the box's place among the nodes' numbers
+     */
+    double distance(float[] nodes, int at) {
         double near = 0;
         double far = reach;
         for (int axis = 0; axis < 3; axis++) {
-            double low = boxes[box + 2 * axis * Bvh.WIDTH], high = boxes[box + (2 * axis + 1) * Bvh.WIDTH];
-            if (low > high) {
-                return false;
+            double middle = nodes[at + axis * Bvh.AXIS_STRIDE], half = nodes[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF];
+            if (half < 0) {
+                return Double.POSITIVE_INFINITY;
             }
+            double low = middle - half, high = middle + half;
             double slow = leastDirection[axis], fast = greatestDirection[axis];
             double toLow = low - greatestOrigin[axis], toHigh = high - leastOrigin[axis];
             if (fast < 0) {
@@ -188,6 +221,6 @@ final class Beam {
                 far = Math.min(far, toHigh / (toHigh >= 0 ? slow : fast));
             }
         }
-        return near <= far;
+        return near <= far ? near : Double.POSITIVE_INFINITY;
     }
 }

@@ -19,6 +19,13 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     /** Whether the surface with this number among these is strictly between a point and its light. */
     abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
 
+    /** Looks along a ray that is about to walk through the tree, for {@link #isInSight}. */
+    abstract void look(Bvh tree, double dx, double dy, double dz, double originError, double directionError,
+            Scratch scratch);
+
+    /** Whether the ray in {@link #look} may meet the surface with this number among these: at a glance. */
+    abstract boolean isInSight(int k, Scratch scratch);
+
     final TreeFacts facts() {
         return TreeFacts.of(this instanceof Spheres ? "spheres" : "triangles", bvh);
     }
@@ -59,7 +66,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         Beam beam = scratch.beam;
         beam.take(rays, 0, rays.count);
         if (!beam.gather(bvh)) {
-            walkToNearest(rays, scratch.walk);
+            scratch.entryPoints.find(bvh, beam, rays.origin, rays.direction, 0, rays.count);
+            walkToNearest(rays, scratch);
         } else if (beam.count() > 0) {
             prepareToMeet(rays, 0, rays.count, scratch);
             for (int n = 0; n < beam.count(); n++) {
@@ -68,12 +76,25 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         }
     }
 
-    private void walkToNearest(Rays rays, BvhWalk walk) {
+    private void walkToNearest(Rays rays, Scratch scratch) {
+        BvhWalk walk = scratch.walk;
+        EntryPoints entryPoints = scratch.entryPoints;
         for (int i = 0; i < rays.count; i++) {
-            walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i]);
-            while (walk.nextLeaf(rays.reach(i))) {
-                for (int k = walk.first(); k < walk.end(); k++) {
-                    meet(rays, i, k);
+            if (entryPoints.leadIn(i)
+                    && walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
+                entryPoints.enter(walk, i);
+                look(bvh, rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i], rays.directionError[i], scratch);
+                meetOnTheWay(rays, i, scratch);
+            }
+        }
+    }
+
+    private void meetOnTheWay(Rays rays, int ray, Scratch scratch) {
+        BvhWalk walk = scratch.walk;
+        while (walk.nextLeaf(rays.reach(ray))) {
+            for (int k = walk.first(); k < walk.end(); k++) {
+                if (isInSight(k, scratch)) {
+                    meet(rays, ray, k);
                 }
             }
         }
@@ -90,7 +111,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         Beam beam = scratch.beam;
         beam.take(rays, shadows.lamp, from, to);
         if (!beam.gather(bvh)) {
-            walkToBlockers(rays, shadows, from, to, scratch.walk);
+            scratch.entryPoints.find(bvh, beam, rays.origin, shadows.direction, from, to);
+            walkToBlockers(rays, shadows, from, to, scratch);
         } else if (beam.count() > 0) {
             prepareToBlock(rays, shadows, from, to, scratch);
             for (int n = 0; n < beam.count(); n++) {
@@ -99,19 +121,24 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         }
     }
 
-    private void walkToBlockers(Rays rays, ShadowRays shadows, int from, int to, BvhWalk walk) {
+    private void walkToBlockers(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+        BvhWalk walk = scratch.walk;
+        EntryPoints entryPoints = scratch.entryPoints;
         for (int i = from; i < to; i++) {
-            if (shadows.open[i]) {
-                walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i]);
-                shadows.open[i] = !anyBlocks(rays, shadows, i, walk);
+            if (shadows.open[i] && entryPoints.leadIn(i) && walk.start(
+                    bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
+                entryPoints.enter(walk, i);
+                look(bvh, shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
+                shadows.open[i] = !anyBlocks(rays, shadows, i, scratch);
             }
         }
     }
 
-    private boolean anyBlocks(Rays rays, ShadowRays shadows, int ray, BvhWalk walk) {
+    private boolean anyBlocks(Rays rays, ShadowRays shadows, int ray, Scratch scratch) {
+        BvhWalk walk = scratch.walk;
         while (walk.nextLeaf(shadows.distance[ray])) {
             for (int k = walk.first(); k < walk.end(); k++) {
-                if (blocks(rays, shadows, ray, k)) {
+                if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
                     return true;
                 }
             }

@@ -10,19 +10,30 @@ package raytracer.tracer;
  *
  * @param order    the things: those beside the tree, then those in the order of the leaves
  * @param beside   how many are beside the tree
- * @param boxes    24 numbers a node: the four children's least x, greatest x, least y, ... greatest z
- * @param children 4 a node: another node's number, or a leaf as {@link #leaf} makes it
+ * @param nodes    {@link #NODE_STRIDE} numbers a node
  * @param root     a node's number, a leaf, or {@link #EMPTY}
  * @param scale    a power of two: tree space is (world - centre) * scale
  */
-record Bvh(int[] order, int beside, float[] boxes, int[] children, int root,
+record Bvh(int[] order, int beside, float[] nodes, int root,
         double centreX, double centreY, double centreZ, double scale) {
 
     static final int WIDTH = 4;
-    static final int BOX_STRIDE = 6 * WIDTH;
+
+    /**
+     * Numbers of one node: axis by axis the middles of the four children's boxes, then half of their widths; then, as
+     * the bits of floats, the children; then nothing, so that a node takes up two lines of a cache.
+     */
+    static final int NODE_STRIDE = 32;
+
+    /** From one axis to the next in a node, and from a box's middle to half of its width. */
+    static final int AXIS_STRIDE = 2 * WIDTH;
+    static final int HALF = WIDTH;
+
+    /** From the middle of a child's box on the first axis to the child. */
+    static final int CHILD = 3 * AXIS_STRIDE;
 
     /** In place of a root. */
-    static final int EMPTY = Integer.MIN_VALUE;
+    static final int EMPTY = -1;
 
     /** The most things in a leaf. */
     static final int LEAF_SIZE = 4;
@@ -30,22 +41,31 @@ record Bvh(int[] order, int beside, float[] boxes, int[] children, int root,
     /**
      * By how much each box is larger than what it holds, on every side, in tree space. With v = 2^-24, floats' unit
      * roundoff, and coordinates up to 1: a corner rounds by v, an origin by v, the origin times the reciprocal of the
-     * direction by 2v, and the slab distances, at most 2 sqrt 3, by 2v of themselves: 11v in all. The rest, 5v, keeps
-     * a box in reach whose hit would tie with the nearest (a bound on rounding as in Ize, Robust BVH Ray Traversal,
-     * JCGT 2013, in which the padding is at the far distance instead).
+     * direction by 2v, the distance to the plane through the box's middle by 2v, and the slab distances, at most
+     * 2 sqrt 3, by 2v of themselves: 13v in all. The rest, 5v, keeps a box in reach whose hit would tie with the
+     * nearest (a bound on rounding as in Ize, Robust BVH Ray Traversal, JCGT 2013, in which the padding is at the far
+     * distance instead).
      */
-    static final float PADDING = 16 * 0x1p-24f;
+    static final float PADDING = 18 * 0x1p-24f;
 
-    /** A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. */
+    /**
+     * A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. Its bits are those of a
+     * float that is a number: of others, a processor need not keep them.
+     */
     static int leaf(int first, int count) {
-        return ~(first * LEAF_SIZE + count - 1);
+        return Integer.MIN_VALUE | first * LEAF_SIZE + count - 1;
     }
 
     static int leafFirst(int leaf) {
-        return ~leaf / LEAF_SIZE;
+        return (leaf & Integer.MAX_VALUE) / LEAF_SIZE;
     }
 
     static int leafEnd(int leaf) {
-        return ~leaf / LEAF_SIZE + ~leaf % LEAF_SIZE + 1;
+        return leafFirst(leaf) + (leaf & Integer.MAX_VALUE) % LEAF_SIZE + 1;
+    }
+
+    /** A child: a leaf, or a node's number, as is not negative. */
+    int child(int at) {
+        return Float.floatToRawIntBits(nodes[at + CHILD]);
     }
 }

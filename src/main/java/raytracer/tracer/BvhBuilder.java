@@ -51,7 +51,7 @@ final class BvhBuilder {
         double scale = scale(width(all));
         double cx = middle(all, 0), cy = middle(all, 1), cz = middle(all, 2);
         if (beside == count) {
-            return new Bvh(order, beside, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);
+            return new Bvh(order, beside, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
         float[] boxes = new float[6 * (count - beside)];
         int first = beside;
@@ -64,7 +64,7 @@ final class BvhBuilder {
             nodes = pool.invoke(new BvhBuilder(order, boxes, leafSize).new Subtree(whole, beside));
             root = 0;
         }
-        return new Bvh(order, beside, nodes.boxes(), nodes.children(), root, cx, cy, cz, scale);
+        return new Bvh(order, beside, nodes.numbers(), root, cx, cy, cz, scale);
     }
 
     /** Brings the things that are too wide to the front; all or, if there are too many of them, none. */

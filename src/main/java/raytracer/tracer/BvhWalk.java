@@ -12,13 +12,21 @@ final class BvhWalk {
     private static final float STEEPEST = 1e30f;
 
     /** What a child's key is when the ray misses it; above all others. */
-    private static final long MISSED = Long.MAX_VALUE;
+    private static final int MISSED = Integer.MAX_VALUE;
+
+    /** Of a key: which of a node's children it is. */
+    private static final int WHICH = Bvh.WIDTH - 1;
 
     private Bvh bvh;
+
+    // In tree space: how far along the ray it was taken up, and where that is.
     private double start;
+    private double x, y, z;
+
+    // The reciprocal of the direction, its magnitude, and the origin times it, negated.
     private float ix, iy, iz;
+    private float aix, aiy, aiz;
     private float oix, oiy, oiz;
-    private int nearX, nearY, nearZ;
 
     /** What is still to be visited: the bits of the box's distance (a float, not negative) above a child's number. */
     private long[] stack = new long[64];
@@ -26,22 +34,26 @@ final class BvhWalk {
     private int first;
     private int end;
 
-    /** Sets out on a ray; the direction is a unit vector. */
-    void start(Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz) {
+    /**
+     * Sets out on a ray, which is yet to {@link #enter} the tree; the direction is a unit vector.
+     *
+     * @return false if the ray passes by the tree
+     */
+    boolean start(Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz) {
         bvh = tree;
         stacked = 0;
         if (tree.root() == Bvh.EMPTY) {
-            return;
+            return false;
         }
-        double x = (ox - tree.centreX()) * tree.scale();
-        double y = (oy - tree.centreY()) * tree.scale();
-        double z = (oz - tree.centreZ()) * tree.scale();
+        x = (ox - tree.centreX()) * tree.scale();
+        y = (oy - tree.centreY()) * tree.scale();
+        z = (oz - tree.centreZ()) * tree.scale();
         start = 0;
         if (Math.abs(x) > 1 || Math.abs(y) > 1 || Math.abs(z) > 1) {
             // Floats only hold up near the tree, so the ray is taken to the cube around it first, in double.
             start = entry(x, y, z, dx, dy, dz);
             if (!(start < Double.POSITIVE_INFINITY)) {
-                return;
+                return false;
             }
             x += start * dx;
             y += start * dy;
@@ -50,13 +62,44 @@ final class BvhWalk {
         ix = reciprocal(dx);
         iy = reciprocal(dy);
         iz = reciprocal(dz);
-        oix = (float) x * ix;
-        oiy = (float) y * iy;
-        oiz = (float) z * iz;
-        nearX = ix < 0 ? Bvh.WIDTH : 0;
-        nearY = (iy < 0 ? Bvh.WIDTH : 0) + 2 * Bvh.WIDTH;
-        nearZ = (iz < 0 ? Bvh.WIDTH : 0) + 4 * Bvh.WIDTH;
-        stack[stacked++] = tree.root() & 0xFFFFFFFFL;
+        aix = Math.abs(ix);
+        aiy = Math.abs(iy);
+        aiz = Math.abs(iz);
+        oix = -((float) x * ix);
+        oiy = -((float) y * iy);
+        oiz = -((float) z * iz);
+        return true;
+    }
+
+    /**
+     * Where to go into the tree; what enters last is visited first.
+     *
+     * @param child a leaf or a node, as nodes have them
+     * @param near  no farther away than the child's box, in tree space from the ray's origin
+     */
+    void enter(int child, double near) {
+        float key = (float) Math.max(0, (near - start) * (1 - 0x1p-22));
+        grow();
+        stack[stacked++] = (long) Float.floatToRawIntBits(key) << 32 | child & 0xFFFFFFFFL;
+    }
+
+    /** How far along the ray, in tree space, it was taken up. */
+    double start() {
+        return start;
+    }
+
+    // Where that is.
+
+    double x() {
+        return x;
+    }
+
+    double y() {
+        return y;
+    }
+
+    double z() {
+        return z;
     }
 
     private static float reciprocal(double d) {
@@ -120,51 +163,62 @@ final class BvhWalk {
     }
 
     private void visit(int node, int reachBits) {
-        float[] boxes = bvh.boxes();
-        int[] children = bvh.children();
-        int x = node * Bvh.BOX_STRIDE + nearX, y = node * Bvh.BOX_STRIDE + nearY, z = node * Bvh.BOX_STRIDE + nearZ;
-        // On each axis the far planes are where the near ones would be for the opposite direction.
-        int fx = node * Bvh.BOX_STRIDE + Bvh.WIDTH - nearX;
-        int fy = node * Bvh.BOX_STRIDE + 5 * Bvh.WIDTH - nearY;
-        int fz = node * Bvh.BOX_STRIDE + 9 * Bvh.WIDTH - nearZ;
-        int c = node * Bvh.WIDTH;
-        long a0 = key(boxes, x, y, z, fx, fy, fz, reachBits, children[c]);
-        long a1 = key(boxes, x + 1, y + 1, z + 1, fx + 1, fy + 1, fz + 1, reachBits, children[c + 1]);
-        long a2 = key(boxes, x + 2, y + 2, z + 2, fx + 2, fy + 2, fz + 2, reachBits, children[c + 2]);
-        long a3 = key(boxes, x + 3, y + 3, z + 3, fx + 3, fy + 3, fz + 3, reachBits, children[c + 3]);
+        float[] nodes = bvh.nodes();
+        int at = node * Bvh.NODE_STRIDE;
+        int a0 = key(nodes, at, reachBits, 0), a1 = key(nodes, at, reachBits, 1);
+        int a2 = key(nodes, at, reachBits, 2), a3 = key(nodes, at, reachBits, 3);
         // A sorting network of five exchanges, then the farthest goes down first; misses are overwritten.
-        long b0 = Math.min(a0, a1), b1 = Math.max(a0, a1), b2 = Math.min(a2, a3), b3 = Math.max(a2, a3);
-        long c0 = Math.min(b0, b2), c2 = Math.max(b0, b2), c1 = Math.min(b1, b3), c3 = Math.max(b1, b3);
-        long d1 = Math.min(c1, c2), d2 = Math.max(c1, c2);
-        if (stacked + Bvh.WIDTH > stack.length) {
-            stack = Arrays.copyOf(stack, 2 * stack.length);
-        }
+        int b0 = Math.min(a0, a1), b1 = Math.max(a0, a1), b2 = Math.min(a2, a3), b3 = Math.max(a2, a3);
+        int c0 = Math.min(b0, b2), c2 = Math.max(b0, b2), c1 = Math.min(b1, b3), c3 = Math.max(b1, b3);
+        int d1 = Math.min(c1, c2), d2 = Math.max(c1, c2);
+        grow();
         long[] s = stack;
         int n = stacked;
-        s[n] = c3;
-        n += c3 != MISSED ? 1 : 0;
-        s[n] = d2;
-        n += d2 != MISSED ? 1 : 0;
-        s[n] = d1;
-        n += d1 != MISSED ? 1 : 0;
-        s[n] = c0;
-        n += c0 != MISSED ? 1 : 0;
+        s[n] = visit(nodes, at, c3);
+        n += c3 - MISSED >>> 31;
+        s[n] = visit(nodes, at, d2);
+        n += d2 - MISSED >>> 31;
+        s[n] = visit(nodes, at, d1);
+        n += d1 - MISSED >>> 31;
+        s[n] = visit(nodes, at, c0);
+        n += c0 - MISSED >>> 31;
         stacked = n;
     }
 
+    private static long visit(float[] nodes, int at, int key) {
+        return (long) key << 32 | Float.floatToRawIntBits(nodes[at + Bvh.CHILD + (key & WHICH)]) & 0xFFFFFFFFL;
+    }
+
+    private void grow() {
+        if (stacked + Bvh.WIDTH > stack.length) {
+            stack = Arrays.copyOf(stack, 2 * stack.length);
+        }
+    }
+
     /**
-     * Floats that are not negative compare like their bits, and negative floats have negative bits: so ints decide,
-     * without the care for NaN that floats' min and max would take.
+     * How far away a child's box is, and in the two lowest bits which child that is; or {@link #MISSED}. Floats that
+     * are not negative compare like their bits, and negative floats have negative bits: so ints decide, without the
+     * care for NaN that floats' min and max would take, and without a branch, which would be mispredicted half of the
+     * time. Boxes are told by middle and half width, for then near and far are where they are for any direction.
      */
-    private long key(float[] boxes, int x, int y, int z, int fx, int fy, int fz, int reachBits, int child) {
-        int nx = Float.floatToRawIntBits(Math.fma(boxes[x], ix, -oix));
-        int ny = Float.floatToRawIntBits(Math.fma(boxes[y], iy, -oiy));
-        int nz = Float.floatToRawIntBits(Math.fma(boxes[z], iz, -oiz));
-        int farX = Float.floatToRawIntBits(Math.fma(boxes[fx], ix, -oix));
-        int farY = Float.floatToRawIntBits(Math.fma(boxes[fy], iy, -oiy));
-        int farZ = Float.floatToRawIntBits(Math.fma(boxes[fz], iz, -oiz));
-        int near = Math.max(Math.max(nx, ny), Math.max(nz, 0));
+    private int key(float[] nodes, int node, int reachBits, int child) {
+        int at = node + child;
+        float x = Math.fma(nodes[at], ix, oix);
+        float y = Math.fma(nodes[at + Bvh.AXIS_STRIDE], iy, oiy);
+        float z = Math.fma(nodes[at + 2 * Bvh.AXIS_STRIDE], iz, oiz);
+        float halfX = nodes[at + Bvh.HALF];
+        float halfY = nodes[at + Bvh.AXIS_STRIDE + Bvh.HALF];
+        float halfZ = nodes[at + 2 * Bvh.AXIS_STRIDE + Bvh.HALF];
+        int nearX = Float.floatToRawIntBits(Math.fma(-halfX, aix, x));
+        int nearY = Float.floatToRawIntBits(Math.fma(-halfY, aiy, y));
+        int nearZ = Float.floatToRawIntBits(Math.fma(-halfZ, aiz, z));
+        int farX = Float.floatToRawIntBits(Math.fma(halfX, aix, x));
+        int farY = Float.floatToRawIntBits(Math.fma(halfY, aiy, y));
+        int farZ = Float.floatToRawIntBits(Math.fma(halfZ, aiz, z));
+        int near = Math.max(Math.max(nearX, nearY), Math.max(nearZ, 0));
         int far = Math.min(Math.min(farX, farY), Math.min(farZ, reachBits));
-        return near <= far ? (long) near << 32 | child & 0xFFFFFFFFL : MISSED;
+        // Negative if far is, or if it is before near.
+        int missed = (far - near | far) >> 31;
+        return near & ~WHICH | child | missed & MISSED;
     }
 }

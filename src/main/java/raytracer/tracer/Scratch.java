@@ -1,9 +1,11 @@
 package raytracer.tracer;
 
-/** What one thread needs to find surfaces for its {@link Rays}: a walk, a beam, and by ray numbers in between. */
+/** What one thread needs to find surfaces for its {@link Rays}: a walk and where it begins, a beam, and by ray numbers in between. */
 final class Scratch {
 
     final BvhWalk walk = new BvhWalk();
+    final EntryPoints entryPoints = new EntryPoints();
+    final TriangleSieve.Line line = new TriangleSieve.Line();
     final Beam beam = new Beam();
 
     /** Made when the first ray meets a sphere. */

@@ -82,6 +82,15 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
+    void look(Bvh tree, double dx, double dy, double dz, double originError, double directionError, Scratch scratch) { }
+
+    /** A leaf is one sphere, whose box the ray has met. */
+    @Override
+    boolean isInSight(int k, Scratch scratch) {
+        return true;
+    }
+
+    @Override
     void prepareToMeet(Rays rays, int from, int to, Scratch scratch) { }
 
     @Override

@@ -12,8 +12,8 @@ package raytracer.tracer;
 public record TreeFacts(String kind, int things, int beside, int nodes, int depth, long bytes) {
 
     static TreeFacts of(String kind, Bvh bvh) {
-        return new TreeFacts(kind, bvh.order().length - bvh.beside(), bvh.beside(), bvh.children().length / Bvh.WIDTH,
-                depth(bvh, bvh.root()), 4L * bvh.boxes().length + 4L * bvh.children().length);
+        return new TreeFacts(kind, bvh.order().length - bvh.beside(), bvh.beside(), bvh.nodes().length / Bvh.NODE_STRIDE,
+                depth(bvh, bvh.root()), 4L * bvh.nodes().length);
     }
 
     private static int depth(Bvh bvh, int node) {
@@ -22,8 +22,9 @@ public record TreeFacts(String kind, int things, int beside, int nodes, int dept
         }
         int deepest = 0;
         for (int child = 0; child < Bvh.WIDTH; child++) {
-            if (bvh.boxes()[node * Bvh.BOX_STRIDE + child] <= bvh.boxes()[node * Bvh.BOX_STRIDE + Bvh.WIDTH + child]) {
-                deepest = Math.max(deepest, depth(bvh, bvh.children()[node * Bvh.WIDTH + child]));
+            int at = node * Bvh.NODE_STRIDE + child;
+            if (bvh.nodes()[at + Bvh.HALF] >= 0) {
+                deepest = Math.max(deepest, depth(bvh, bvh.child(at)));
             }
         }
         return deepest + 1;

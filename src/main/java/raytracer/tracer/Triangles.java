@@ -27,12 +27,14 @@ final class Triangles extends BoundedSurfaces {
     private static final double SIEVE = 64;
 
     private final double[] data;
+    private final TriangleSieve sieve;
 
     /** @param order which triangles of the mesh, in the order of the tree's leaves; none of them without area */
     Triangles(Mesh mesh, int[] order, int firstSlot, Bvh bvh, ForkJoinPool pool) {
         super(firstSlot, bvh);
         data = new double[Math.multiplyExact(STRIDE, order.length)];
         Halves.run(pool, 0, order.length, (from, to) -> copy(mesh, order, from, to));
+        sieve = new TriangleSieve(data, STRIDE, order.length, bvh, pool);
     }
 
     private void copy(Mesh mesh, int[] order, int from, int to) {
@@ -87,6 +89,16 @@ final class Triangles extends BoundedSurfaces {
         if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
             rays.offer(i, slot(k), t);
         }
+    }
+
+    @Override
+    void look(Bvh tree, double dx, double dy, double dz, double originError, double directionError, Scratch scratch) {
+        scratch.line.take(scratch.walk, tree, dx, dy, dz, originError, directionError);
+    }
+
+    @Override
+    boolean isInSight(int k, Scratch scratch) {
+        return sieve.lets(scratch.line, k);
     }
 
     @Override

@@ -132,7 +132,7 @@ class LawsTest {
         Bvh tree = BvhBuilder.build(500, Spheres.bounds(spheres), Bvh.LEAF_SIZE, ForkJoinPool.commonPool());
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
-        Bvh none = new Bvh(tree.order(), 500, new float[0], new int[0], Bvh.EMPTY, 0, 0, 0, 1);
+        Bvh none = new Bvh(tree.order(), 500, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
         Surfaces with = new Spheres(ordered, 0, tree), without = new Spheres(ordered, 0, none);
         int met = 0;
         for (int i = 0; i < 5000; i++) {

@@ -132,7 +132,7 @@ public final class Textbook {
         for (int k = 0; k < sphereTree.beside(); k++) {
             found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
         }
-        walk.start(sphereTree, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        setOut(sphereTree, o, d);
         while (walk.nextLeaf(t)) {
             for (int k = walk.first(); k < walk.end(); k++) {
                 found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
@@ -141,13 +141,19 @@ public final class Textbook {
         for (int k = 0; k < triangleTree.beside(); k++) {
             found |= triangle(triangleTree.order()[k], o, d);
         }
-        walk.start(triangleTree, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        setOut(triangleTree, o, d);
         while (walk.nextLeaf(t)) {
             for (int k = walk.first(); k < walk.end(); k++) {
                 found |= triangle(triangleTree.order()[k], o, d);
             }
         }
         return found;
+    }
+
+    private void setOut(Bvh tree, Vector o, Vector d) {
+        if (walk.start(tree, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
+            walk.enter(tree.root(), 0);
+        }
     }
 
     private boolean sphere(Shape.Sphere sphere, Vector o, Vector d) {

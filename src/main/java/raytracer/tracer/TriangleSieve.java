@@ -1,0 +1,114 @@
+package raytracer.tracer;
+
+import java.util.concurrent.ForkJoinPool;
+
+/**
+ * Tells quickly that a ray's line clearly passes a triangle by: floats, few of them, and no branch. Each triangle is
+ * 16 numbers in the space of its {@link Bvh}: two edges, a x b, b x c and c x a of its corners, and a bound on what an
+ * edge is long. The side on which a line passes an edge is direction . (a x b) + moment . (b - a) (Pluecker
+ * coordinates; Shevtsov, Soupikov and Kapustin, Ray-Triangle Intersection Algorithm for Modern CPU Architectures,
+ * 2007, who decide by it; here it only sorts out).
+ */
+final class TriangleSieve {
+
+    private static final int STRIDE = 16;
+
+    /**
+     * Of an edge's bound: floats' rounding of a side. With v = 2^-24 and coordinates up to 1, directions, moments,
+     * edges and products are off by v, which is sqrt 3 v in a side each, and each of its terms is rounded 7 times,
+     * 14 sqrt 3 v: 31.2v in all.
+     */
+    private static final double ROUNDING = 40 * 0x1p-24;
+
+    /** An edge's bound is no less: below, floats underflow. */
+    private static final float SHORTEST = 0x1p-100f;
+
+    private final float[] numbers;
+
+    /** @param corners 3 coordinates a corner, of triangle after triangle, a stride apart */
+    TriangleSieve(double[] corners, int stride, int count, Bvh bvh, ForkJoinPool pool) {
+        numbers = new float[Math.multiplyExact(STRIDE, count)];
+        Halves.run(pool, 0, count, (from, to) -> {
+            for (int k = from; k < to; k++) {
+                set(STRIDE * k, corners, stride * k, bvh);
+            }
+        });
+    }
+
+    private void set(int at, double[] corners, int from, Bvh bvh) {
+        double ax = (corners[from] - bvh.centreX()) * bvh.scale();
+        double ay = (corners[from + 1] - bvh.centreY()) * bvh.scale();
+        double az = (corners[from + 2] - bvh.centreZ()) * bvh.scale();
+        double bx = (corners[from + 3] - bvh.centreX()) * bvh.scale();
+        double by = (corners[from + 4] - bvh.centreY()) * bvh.scale();
+        double bz = (corners[from + 5] - bvh.centreZ()) * bvh.scale();
+        double cx = (corners[from + 6] - bvh.centreX()) * bvh.scale();
+        double cy = (corners[from + 7] - bvh.centreY()) * bvh.scale();
+        double cz = (corners[from + 8] - bvh.centreZ()) * bvh.scale();
+        set(at, bx - ax, by - ay, bz - az);
+        set(at + 3, cx - bx, cy - by, cz - bz);
+        setCross(at + 6, ax, ay, az, bx, by, bz);
+        setCross(at + 9, bx, by, bz, cx, cy, cz);
+        setCross(at + 12, cx, cy, cz, ax, ay, az);
+        double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
+                + Math.abs(cx - bx) + Math.abs(cy - by) + Math.abs(cz - bz);
+        numbers[at + 15] = Math.max((float) edges, SHORTEST);
+    }
+
+    private void setCross(int at, double ax, double ay, double az, double bx, double by, double bz) {
+        set(at, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
+    }
+
+    private void set(int at, double x, double y, double z) {
+        numbers[at] = (float) x;
+        numbers[at + 1] = (float) y;
+        numbers[at + 2] = (float) z;
+    }
+
+    /** Whether a line may pass the edges of triangle k all on one side: it does if {@link Triangles} says so. */
+    boolean lets(Line line, int k) {
+        float[] n = numbers;
+        int at = STRIDE * k;
+        float mx = line.momentX, my = line.momentY, mz = line.momentZ, dx = line.dx, dy = line.dy, dz = line.dz;
+        float first = mx * n[at] + my * n[at + 1] + mz * n[at + 2];
+        float second = mx * n[at + 3] + my * n[at + 4] + mz * n[at + 5];
+        float ab = Math.fma(dx, n[at + 6], Math.fma(dy, n[at + 7], Math.fma(dz, n[at + 8], first)));
+        float bc = Math.fma(dx, n[at + 9], Math.fma(dy, n[at + 10], Math.fma(dz, n[at + 11], second)));
+        float ca = Math.fma(dx, n[at + 12], Math.fma(dy, n[at + 13], Math.fma(dz, n[at + 14], -(first + second))));
+        float bound = n[at + 15] * line.tolerance;
+        // The sign bits of what is clearly on one side, and clearly on the other.
+        int left = Float.floatToRawIntBits(ab + bound) | Float.floatToRawIntBits(bc + bound)
+                | Float.floatToRawIntBits(ca + bound);
+        int right = Float.floatToRawIntBits(bound - ab) | Float.floatToRawIntBits(bound - bc)
+                | Float.floatToRawIntBits(bound - ca);
+        return (left & right) >= 0;
+    }
+
+    /** A ray's line: its direction and moment, origin x direction, in tree space. One object serves ray after ray. */
+    static final class Line {
+
+        private float dx, dy, dz;
+        private float momentX, momentY, momentZ;
+        private float tolerance;
+
+        /**
+         * Takes the line of a ray.
+         *
+         * @param walk has started on the ray
+         * @param originError of each coordinate, in world space, as directionError
+         */
+        void take(BvhWalk walk, Bvh bvh, double dx, double dy, double dz, double originError, double directionError) {
+            this.dx = (float) dx;
+            this.dy = (float) dy;
+            this.dz = (float) dz;
+            momentX = (float) (walk.y() * dz - walk.z() * dy);
+            momentY = (float) (walk.z() * dx - walk.x() * dz);
+            momentZ = (float) (walk.x() * dy - walk.y() * dx);
+            // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
+            double reach = 2 * (walk.start() + 4);
+            // Triangles takes what is within the bound by what it has computed, which is off by as much; and the walk
+            // has moved the origin, by which a side is off by less than another two such bounds.
+            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError * bvh.scale(), directionError, reach, 1));
+        }
+    }
+}
