@@ -1,6 +1,6 @@
 package raytracer.tracer;
 
-import java.util.concurrent.ForkJoinPool;
+import raytracer.scene.Mesh;
 
 /**
  * Tells quickly that a ray's line clearly passes a triangle by: floats, few of them, and no branch. Each triangle is
@@ -23,28 +23,30 @@ final class TriangleSieve {
     /** An edge's bound is no less: below, floats underflow. */
     private static final float SHORTEST = 0x1p-100f;
 
+    private final Mesh mesh;
+    private final int[] order;
+    private final Bvh bvh;
     private final float[] numbers;
 
-    /** @param corners 3 coordinates a corner, of triangle after triangle, a stride apart */
-    TriangleSieve(double[] corners, int stride, int count, Bvh bvh, ForkJoinPool pool) {
-        numbers = new float[Math.multiplyExact(STRIDE, count)];
-        Halves.run(pool, 0, count, (from, to) -> {
-            for (int k = from; k < to; k++) {
-                set(STRIDE * k, corners, stride * k, bvh);
-            }
-        });
+    /**
+     * Sorts out nothing yet: each triangle must be {@link #set}.
+     *
+     * @param order which triangles of the mesh
+     * @param bvh   in whose space lines will come
+     */
+    TriangleSieve(Mesh mesh, int[] order, Bvh bvh) {
+        this.mesh = mesh;
+        this.order = order;
+        this.bvh = bvh;
+        numbers = new float[Math.multiplyExact(STRIDE, order.length)];
     }
 
-    private void set(int at, double[] corners, int from, Bvh bvh) {
-        double ax = (corners[from] - bvh.centreX()) * bvh.scale();
-        double ay = (corners[from + 1] - bvh.centreY()) * bvh.scale();
-        double az = (corners[from + 2] - bvh.centreZ()) * bvh.scale();
-        double bx = (corners[from + 3] - bvh.centreX()) * bvh.scale();
-        double by = (corners[from + 4] - bvh.centreY()) * bvh.scale();
-        double bz = (corners[from + 5] - bvh.centreZ()) * bvh.scale();
-        double cx = (corners[from + 6] - bvh.centreX()) * bvh.scale();
-        double cy = (corners[from + 7] - bvh.centreY()) * bvh.scale();
-        double cz = (corners[from + 8] - bvh.centreZ()) * bvh.scale();
+    /** Takes in triangle k. */
+    void set(int k) {
+        double ax = x(k, 0), ay = y(k, 0), az = z(k, 0);
+        double bx = x(k, 1), by = y(k, 1), bz = z(k, 1);
+        double cx = x(k, 2), cy = y(k, 2), cz = z(k, 2);
+        int at = STRIDE * k;
         set(at, bx - ax, by - ay, bz - az);
         set(at + 3, cx - bx, cy - by, cz - bz);
         setCross(at + 6, ax, ay, az, bx, by, bz);
@@ -53,6 +55,20 @@ final class TriangleSieve {
         double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
                 + Math.abs(cx - bx) + Math.abs(cy - by) + Math.abs(cz - bz);
         numbers[at + 15] = Math.max((float) edges, SHORTEST);
+    }
+
+    // A corner in tree space.
+
+    private double x(int k, int corner) {
+        return (mesh.coordinate(order[k], corner, 0) - bvh.centreX()) * bvh.scale();
+    }
+
+    private double y(int k, int corner) {
+        return (mesh.coordinate(order[k], corner, 1) - bvh.centreY()) * bvh.scale();
+    }
+
+    private double z(int k, int corner) {
+        return (mesh.coordinate(order[k], corner, 2) - bvh.centreZ()) * bvh.scale();
     }
 
     private void setCross(int at, double ax, double ay, double az, double bx, double by, double bz) {

@@ -17,38 +17,43 @@ final class Triangles extends BoundedSurfaces {
 
     static final int LEAF_SIZE = Bvh.LEAF_SIZE;
 
-    /** Numbers of one triangle in {@link #data}: three corners and the unit normal. */
-    private static final int STRIDE = 12;
-
     /**
      * Of the bound on the error of an edge's side: a ray that passes two edges on different sides by more is clear of
      * the triangle. More than enough for the sieve's own errors, as the bound is then of the world's origin as an end.
      */
     private static final double SIEVE = 64;
 
-    private final double[] data;
+    private final Mesh mesh;
+    /** By a triangle's number among these: its number in the mesh. */
+    private final int[] order;
+    /** The unit normals, three coordinates each. */
+    private final double[] normals;
     private final TriangleSieve sieve;
 
     /** @param order which triangles of the mesh, in the order of the tree's leaves; none of them without area */
     Triangles(Mesh mesh, int[] order, int firstSlot, Bvh bvh, ForkJoinPool pool) {
         super(firstSlot, bvh);
-        data = new double[Math.multiplyExact(STRIDE, order.length)];
-        Halves.run(pool, 0, order.length, (from, to) -> copy(mesh, order, from, to));
-        sieve = new TriangleSieve(data, STRIDE, order.length, bvh, pool);
+        this.mesh = mesh;
+        this.order = order;
+        normals = new double[Math.multiplyExact(3, order.length)];
+        sieve = new TriangleSieve(mesh, order, bvh);
+        Halves.run(pool, 0, order.length, (from, to) -> {
+            for (int k = from; k < to; k++) {
+                setNormal(k);
+                sieve.set(k);
+            }
+        });
     }
 
-    private void copy(Mesh mesh, int[] order, int from, int to) {
-        for (int k = from; k < to; k++) {
-            for (int corner = 0; corner < 3; corner++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    data[STRIDE * k + 3 * corner + axis] = mesh.coordinate(order[k], corner, axis);
-                }
-            }
-            Vector n = normal(mesh, order[k]).unit();
-            data[STRIDE * k + 9] = n.x();
-            data[STRIDE * k + 10] = n.y();
-            data[STRIDE * k + 11] = n.z();
-        }
+    private void setNormal(int k) {
+        Vector n = normal(mesh, order[k]).unit();
+        normals[3 * k] = n.x();
+        normals[3 * k + 1] = n.y();
+        normals[3 * k + 2] = n.z();
+    }
+
+    private double corner(int k, int corner, int axis) {
+        return mesh.coordinate(order[k], corner, axis);
     }
 
     /** A vector along a triangle's normal; zero if the triangle has no area. */
@@ -71,16 +76,15 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     void meet(Rays rays, int i, int k) {
-        int at = STRIDE * k;
-        double ax = data[at] - rays.ox[i], ay = data[at + 1] - rays.oy[i], az = data[at + 2] - rays.oz[i];
-        double nx = data[at + 9], ny = data[at + 10], nz = data[at + 11];
+        double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
+        double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
         double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
         double offset = ax * nx + ay * ny + az * nz;
         double cosine = dx * nx + dy * ny + dz * nz;
         double t = offset / cosine;
         if (!(t > 0 && t <= rays.reach(i))
                 || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])
-                || !passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
+                || !passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
                         dx, dy, dz, rays.directionError[i])
                 || rays.source[i] == slot(k)) {
             return;
@@ -168,28 +172,31 @@ final class Triangles extends BoundedSurfaces {
      * @return rays are clear of the triangle if they have less than this
      */
     private double passBy(double[] dx, double[] dy, double[] dz, int from, int to, int k, Scratch scratch) {
-        int at = STRIDE * k;
         double[] ab = scratch.centreX, bc = scratch.centreY, ca = scratch.centreZ;
-        sides(at, at + 3, dx, dy, dz, ab, from, to, scratch);
-        sides(at + 3, at + 6, dx, dy, dz, bc, from, to, scratch);
-        sides(at + 6, at, dx, dy, dz, ca, from, to, scratch);
+        sides(k, 0, 1, dx, dy, dz, ab, from, to, scratch);
+        sides(k, 1, 2, dx, dy, dz, bc, from, to, scratch);
+        sides(k, 2, 0, dx, dy, dz, ca, from, to, scratch);
         leastProduct(ab, bc, ca, scratch.square, from, to);
-        double edges = difference(at, at + 3) + difference(at, at + 6);
-        double reach = Math.abs(data[at]) + Math.abs(data[at + 1]) + Math.abs(data[at + 2]) + edges + scratch.farthest;
+        double edges = difference(k, 0, 1) + difference(k, 0, 2);
+        double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
+                + scratch.farthest;
         double most = 4 * edges * reach;
         return -most * SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
     }
 
     /** |x| + |y| + |z| of the edge between two corners. */
-    private double difference(int a, int b) {
-        return Math.abs(data[a] - data[b]) + Math.abs(data[a + 1] - data[b + 1]) + Math.abs(data[a + 2] - data[b + 2]);
+    private double difference(int k, int a, int b) {
+        return Math.abs(corner(k, a, 0) - corner(k, b, 0)) + Math.abs(corner(k, a, 1) - corner(k, b, 1))
+                + Math.abs(corner(k, a, 2) - corner(k, b, 2));
     }
 
     /** By ray, the side of the edge e between two corners of sum s: d . (e x s) - 2 e . m. */
-    private void sides(int a, int b, double[] dx, double[] dy, double[] dz, double[] out, int from, int to,
+    private void sides(int k, int a, int b, double[] dx, double[] dy, double[] dz, double[] out, int from, int to,
             Scratch scratch) {
-        double ex = data[b] - data[a], ey = data[b + 1] - data[a + 1], ez = data[b + 2] - data[a + 2];
-        double sx = data[a] + data[b], sy = data[a + 1] + data[b + 1], sz = data[a + 2] + data[b + 2];
+        double ax = corner(k, a, 0), ay = corner(k, a, 1), az = corner(k, a, 2);
+        double bx = corner(k, b, 0), by = corner(k, b, 1), bz = corner(k, b, 2);
+        double ex = bx - ax, ey = by - ay, ez = bz - az;
+        double sx = ax + bx, sy = ay + by, sz = az + bz;
         dots(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, dx, dy, dz,
                 -2 * ex, -2 * ey, -2 * ez, scratch.momentX, scratch.momentY, scratch.momentZ, out, from, to);
     }
@@ -211,19 +218,23 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     public double distanceError(Rays rays, int i, int slot, double t) {
-        int at = STRIDE * number(slot);
-        double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
-                + Math.abs(data[at + 2] - rays.oz[i]);
-        double cosine = rays.dx[i] * data[at + 9] + rays.dy[i] * data[at + 10] + rays.dz[i] * data[at + 11];
-        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach, t, cosine);
+        int k = number(slot);
+        double cosine = rays.dx[i] * normals[3 * k] + rays.dy[i] * normals[3 * k + 1] + rays.dz[i] * normals[3 * k + 2];
+        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach(rays, i, k), t, cosine);
+    }
+
+    /** |x| + |y| + |z| of a triangle's first corner, seen from where a ray starts. */
+    private double reach(Rays rays, int i, int k) {
+        return Math.abs(corner(k, 0, 0) - rays.ox[i]) + Math.abs(corner(k, 0, 1) - rays.oy[i])
+                + Math.abs(corner(k, 0, 2) - rays.oz[i]);
     }
 
     /** Whether the line of a ray passes a triangle's edges all on one side, or on them as far as one can tell. */
-    private boolean passesWithin(int at, double ox, double oy, double oz, double originError,
+    private boolean passesWithin(int k, double ox, double oy, double oz, double originError,
             double dx, double dy, double dz, double directionError) {
-        double ax = data[at] - ox, ay = data[at + 1] - oy, az = data[at + 2] - oz;
-        double bx = data[at + 3] - ox, by = data[at + 4] - oy, bz = data[at + 5] - oz;
-        double cx = data[at + 6] - ox, cy = data[at + 7] - oy, cz = data[at + 8] - oz;
+        double ax = corner(k, 0, 0) - ox, ay = corner(k, 0, 1) - oy, az = corner(k, 0, 2) - oz;
+        double bx = corner(k, 1, 0) - ox, by = corner(k, 1, 1) - oy, bz = corner(k, 1, 2) - oz;
+        double cx = corner(k, 2, 0) - ox, cy = corner(k, 2, 1) - oy, cz = corner(k, 2, 2) - oz;
         double ab = side(ax, ay, az, bx, by, bz, dx, dy, dz);
         double bc = side(bx, by, bz, cx, cy, cz, dx, dy, dz);
         double ca = side(cx, cy, cz, ax, ay, az, dx, dy, dz);
@@ -252,30 +263,29 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
-        int at = STRIDE * k;
-        double x = data[at] - rays.ox[i], y = data[at + 1] - rays.oy[i], z = data[at + 2] - rays.oz[i];
-        double nx = data[at + 9], ny = data[at + 10], nz = data[at + 11];
+        double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
+        double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double offset = x * nx + y * ny + z * nz;
         double cosine = dx * nx + dy * ny + dz * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
         return (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
                 && Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
-                && passesWithin(at, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
+                && passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
                         dx, dy, dz, 2 * Rounding.U)
                 && rays.hit[i] != slot(k)
                 && Math.abs(offset) > Rounding.planeOffset(
                         rays.originError[i], Math.abs(x) + Math.abs(y) + Math.abs(z))
-                && isBeforeLamp(shadows.lamp, at, offset);
+                && isBeforeLamp(shadows.lamp, k, offset);
     }
 
     /** Whether the plane of a triangle has the lamp on the other side than the point with this offset. */
-    private boolean isBeforeLamp(Lamp lamp, int at, double offset) {
+    private boolean isBeforeLamp(Lamp lamp, int k, double offset) {
         if (lamp.directional()) {
             return true;
         }
-        double x = data[at] - lamp.x(), y = data[at + 1] - lamp.y(), z = data[at + 2] - lamp.z();
-        double lampOffset = x * data[at + 9] + y * data[at + 10] + z * data[at + 11];
+        double x = corner(k, 0, 0) - lamp.x(), y = corner(k, 0, 1) - lamp.y(), z = corner(k, 0, 2) - lamp.z();
+        double lampOffset = x * normals[3 * k] + y * normals[3 * k + 1] + z * normals[3 * k + 2];
         double bound = Rounding.planeOffset(lamp.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lampOffset < -bound : lampOffset > bound;
     }
@@ -288,10 +298,8 @@ final class Triangles extends BoundedSurfaces {
     @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
-            int at = STRIDE * number(rays.hit[i]);
-            double reach = Math.abs(data[at] - rays.ox[i]) + Math.abs(data[at + 1] - rays.oy[i])
-                    + Math.abs(data[at + 2] - rays.oz[i]);
-            rays.arriveOnPlane(i, reach, data[at + 9], data[at + 10], data[at + 11]);
+            int k = number(rays.hit[i]);
+            rays.arriveOnPlane(i, reach(rays, i, k), normals[3 * k], normals[3 * k + 1], normals[3 * k + 2]);
         }
     }
 }
