@@ -58,28 +58,37 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     @Override
     public final void findNearest(Rays rays, Scratch scratch) {
         if (bvh.beside() > 0) {
-            prepareToMeet(rays, 0, rays.count, scratch);
-            for (int k = 0; k < bvh.beside(); k++) {
-                meetAll(rays, 0, rays.count, k, scratch);
-            }
+            Pass.run((from, to) -> meetBeside(rays, from, to, scratch), 0, rays.count);
         }
         Beam beam = scratch.beam;
         beam.take(rays, 0, rays.count);
         if (!beam.gather(bvh)) {
-            scratch.entryPoints.find(bvh, beam, rays.origin, rays.direction, 0, rays.count);
-            walkToNearest(rays, scratch);
+            Pass.run((from, to) -> scratch.entryPoints.find(bvh, beam, rays.origin, rays.direction, from, to),
+                    0, rays.count);
+            Pass.run((from, to) -> walkToNearest(rays, from, to, scratch), 0, rays.count);
         } else if (beam.count() > 0) {
-            prepareToMeet(rays, 0, rays.count, scratch);
-            for (int n = 0; n < beam.count(); n++) {
-                meetAll(rays, 0, rays.count, beam.thing(n), scratch);
-            }
+            Pass.run((from, to) -> meetThings(rays, from, to, scratch), 0, rays.count);
         }
     }
 
-    private void walkToNearest(Rays rays, Scratch scratch) {
+    private void meetBeside(Rays rays, int from, int to, Scratch scratch) {
+        prepareToMeet(rays, from, to, scratch);
+        for (int k = 0; k < bvh.beside(); k++) {
+            meetAll(rays, from, to, k, scratch);
+        }
+    }
+
+    private void meetThings(Rays rays, int from, int to, Scratch scratch) {
+        prepareToMeet(rays, from, to, scratch);
+        for (int n = 0; n < scratch.beam.count(); n++) {
+            meetAll(rays, from, to, scratch.beam.thing(n), scratch);
+        }
+    }
+
+    private void walkToNearest(Rays rays, int from, int to, Scratch scratch) {
         BvhWalk walk = scratch.walk;
         EntryPoints entryPoints = scratch.entryPoints;
-        for (int i = 0; i < rays.count; i++) {
+        for (int i = from; i < to; i++) {
             if (entryPoints.leadIn(i)
                     && walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
                 entryPoints.enter(walk, i);
@@ -101,23 +110,32 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     @Override
-    public final void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+    public final void block(Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
         if (bvh.beside() > 0) {
-            prepareToBlock(rays, shadows, from, to, scratch);
-            for (int k = 0; k < bvh.beside(); k++) {
-                blockAll(rays, shadows, from, to, k, scratch);
-            }
+            Pass.run((from, to) -> blockBeside(rays, shadows, from, to, scratch), first, end);
         }
         Beam beam = scratch.beam;
-        beam.take(rays, shadows.lamp, from, to);
+        beam.take(rays, shadows.lamp, first, end);
         if (!beam.gather(bvh)) {
-            scratch.entryPoints.find(bvh, beam, rays.origin, shadows.direction, from, to);
-            walkToBlockers(rays, shadows, from, to, scratch);
+            Pass.run((from, to) -> scratch.entryPoints.find(bvh, beam, rays.origin, shadows.direction, from, to),
+                    first, end);
+            Pass.run((from, to) -> walkToBlockers(rays, shadows, from, to, scratch), first, end);
         } else if (beam.count() > 0) {
-            prepareToBlock(rays, shadows, from, to, scratch);
-            for (int n = 0; n < beam.count(); n++) {
-                blockAll(rays, shadows, from, to, beam.thing(n), scratch);
-            }
+            Pass.run((from, to) -> blockThings(rays, shadows, from, to, scratch), first, end);
+        }
+    }
+
+    private void blockBeside(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+        prepareToBlock(rays, shadows, from, to, scratch);
+        for (int k = 0; k < bvh.beside(); k++) {
+            blockAll(rays, shadows, from, to, k, scratch);
+        }
+    }
+
+    private void blockThings(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+        prepareToBlock(rays, shadows, from, to, scratch);
+        for (int n = 0; n < scratch.beam.count(); n++) {
+            blockAll(rays, shadows, from, to, scratch.beam.thing(n), scratch);
         }
     }
 

@@ -47,7 +47,7 @@ final class EntryPoints {
             if (beam.isBackwards()) {
                 Arrays.fill(near, 0, count, 0);
             }
-            pass(from, direction, first, end);
+            Pass.run((i, j) -> pass(from, direction, i, j), first, end);
         }
     }
 
