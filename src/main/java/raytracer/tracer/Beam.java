@@ -27,9 +27,6 @@ final class Beam {
     private double reach;
     private boolean backwards;
 
-    /** The greatest coordinate of where rays start, in world space. */
-    private double farthestStart;
-
     private final int[] things = new int[MOST + Bvh.LEAF_SIZE];
     private int count;
     private int[] stack = new int[64];
@@ -41,7 +38,6 @@ final class Beam {
         } else {
             span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
         }
-        noteStarts();
         span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
         backwards = false;
         reach = 0;
@@ -56,7 +52,6 @@ final class Beam {
      */
     void take(Rays rays, Lamp lamp, int from, int to) {
         span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
-        noteStarts();
         backwards = !lamp.directional();
         if (lamp.directional()) {
             point(lamp.x(), lamp.y(), lamp.z(), leastDirection, greatestDirection);
@@ -71,13 +66,6 @@ final class Beam {
             greatestOrigin[axis] = position;
         }
         reach = 1;
-    }
-
-    private void noteStarts() {
-        farthestStart = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            farthestStart = Math.max(farthestStart, Math.max(Math.abs(leastOrigin[axis]), Math.abs(greatestOrigin[axis])));
-        }
     }
 
     private static void point(double x, double y, double z, double[] least, double[] greatest) {
@@ -139,10 +127,19 @@ final class Beam {
         return true;
     }
 
-    /** Whether the rays go the same way, and start near enough to the tree for doubles to be as exact as its boxes. */
+    /** Whether, of rays that were searched for in this tree in vain, each is near enough to it, and all go the same way. */
     boolean isNarrow(Bvh bvh) {
-        double centre = Math.max(Math.abs(bvh.centreX()), Math.max(Math.abs(bvh.centreY()), Math.abs(bvh.centreZ())));
-        return isNarrow() && (farthestStart + centre) * bvh.scale() < FARTHEST;
+        if (!isNarrow()) {
+            return false;
+        }
+        for (int axis = 0; backwards && axis < 3; axis++) {
+            // Where they start themselves.
+            if (!(Math.abs(leastOrigin[axis] + leastDirection[axis] * bvh.scale()) < FARTHEST
+                    && Math.abs(greatestOrigin[axis] + greatestDirection[axis] * bvh.scale()) < FARTHEST)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Whether the rays are taken from where they end. */

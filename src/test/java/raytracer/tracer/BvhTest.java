@@ -66,6 +66,9 @@ class BvhTest {
         for (int axis = 0; axis < 3; axis++) {
             double shrink = 1e-12 * (Math.abs(box[axis]) + Math.abs(box[axis + 3]) + Math.abs(os[axis]));
             double low = box[axis] + shrink - os[axis], high = box[axis + 3] - shrink - os[axis];
+            if (low > high) {
+                return false; // shrunk to nothing
+            }
             if (ds[axis] == 0) {
                 if (low > 0 || high < 0) {
                     return false;
