@@ -174,18 +174,18 @@ final class BvhWalk {
         grow();
         long[] s = stack;
         int n = stacked;
-        s[n] = visit(nodes, at, c3);
+        s[n] = toVisit(nodes, at, c3);
         n += c3 - MISSED >>> 31;
-        s[n] = visit(nodes, at, d2);
+        s[n] = toVisit(nodes, at, d2);
         n += d2 - MISSED >>> 31;
-        s[n] = visit(nodes, at, d1);
+        s[n] = toVisit(nodes, at, d1);
         n += d1 - MISSED >>> 31;
-        s[n] = visit(nodes, at, c0);
+        s[n] = toVisit(nodes, at, c0);
         n += c0 - MISSED >>> 31;
         stacked = n;
     }
 
-    private static long visit(float[] nodes, int at, int key) {
+    private static long toVisit(float[] nodes, int at, int key) {
         return (long) key << 32 | Float.floatToRawIntBits(nodes[at + Bvh.CHILD + (key & WHICH)]) & 0xFFFFFFFFL;
     }
 

@@ -135,9 +135,9 @@ final class EntryPoints {
         toTreeSpace(from.x(), bvh.centreX(), bvh.scale(), origin.x(), first, end);
         toTreeSpace(from.y(), bvh.centreY(), bvh.scale(), origin.y(), first, end);
         toTreeSpace(from.z(), bvh.centreZ(), bvh.scale(), origin.z(), first, end);
-        cross(origin.y(), origin.z(), d.y(), d.z(), moment.x(), first, end);
-        cross(origin.z(), origin.x(), d.z(), d.x(), moment.y(), first, end);
-        cross(origin.x(), origin.y(), d.x(), d.y(), moment.z(), first, end);
+        Vectors.cross(origin.y(), origin.z(), d.y(), d.z(), moment.x(), first, end);
+        Vectors.cross(origin.z(), origin.x(), d.z(), d.x(), moment.y(), first, end);
+        Vectors.cross(origin.x(), origin.y(), d.x(), d.y(), moment.z(), first, end);
         Arrays.fill(passed, first, end, 0);
         float[] nodes = bvh.nodes();
         for (int point = 0; point < count; point++) {
@@ -154,13 +154,6 @@ final class EntryPoints {
     private static void toTreeSpace(double[] world, double centre, double scale, double[] out, int first, int end) {
         for (int i = first; i < end; i++) {
             out[i] = (world[i] - centre) * scale;
-        }
-    }
-
-    /** One component of a x b, of the other two: out = ay bz - az by. */
-    private static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int first, int end) {
-        for (int i = first; i < end; i++) {
-            out[i] = ay[i] * bz[i] - az[i] * by[i];
         }
     }
 

@@ -119,18 +119,11 @@ final class Triangles extends BoundedSurfaces {
 
     private static void prepare(
             Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, Scratch scratch) {
-        cross(rays.oy, rays.oz, dy, dz, scratch.momentX, from, to);
-        cross(rays.oz, rays.ox, dz, dx, scratch.momentY, from, to);
-        cross(rays.ox, rays.oy, dx, dy, scratch.momentZ, from, to);
+        Vectors.cross(rays.oy, rays.oz, dy, dz, scratch.momentX, from, to);
+        Vectors.cross(rays.oz, rays.ox, dz, dx, scratch.momentY, from, to);
+        Vectors.cross(rays.ox, rays.oy, dx, dy, scratch.momentZ, from, to);
         scratch.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
         scratch.originError = greatest(rays.originError, from, to);
-    }
-
-    /** One component of a x b, of the other two: out = ay bz - az by. */
-    private static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = ay[i] * bz[i] - az[i] * by[i];
-        }
     }
 
     private static double greatest(double[] values, int from, int to) {

@@ -6,4 +6,11 @@ record Vectors(double[] x, double[] y, double[] z) {
     Vectors() {
         this(new double[Rays.CAPACITY], new double[Rays.CAPACITY], new double[Rays.CAPACITY]);
     }
+
+    /** One component of a x b, of the other two: out = ay bz - az by. */
+    static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ay[i] * bz[i] - az[i] * by[i];
+        }
+    }
 }
