@@ -127,7 +127,7 @@ final class Beam {
         return true;
     }
 
-    /** Whether, of rays that were searched for in this tree in vain, each is near enough to it, and all go the same way. */
+    /** After a search of this tree that was given up: whether all rays start near enough to it, and go the same way. */
     boolean isNarrow(Bvh bvh) {
         if (!isNarrow()) {
             return false;

@@ -37,7 +37,7 @@ final class EntryPoints {
     /**
      * Finds the entry points of rays from one index to another.
      *
-     * @param beam of these rays; it has searched this tree in vain
+     * @param beam of these rays; it has given up its search of this tree
      */
     void find(Bvh tree, Beam beam, Vectors from, Vectors direction, int first, int end) {
         bvh = tree;

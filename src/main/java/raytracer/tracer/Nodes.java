@@ -63,11 +63,8 @@ final class Nodes {
         }
     }
 
+    /** {@link Bvh#NODE_STRIDE} a node, and none for nodes to come. */
     float[] numbers() {
-        return numbers;
-    }
-
-    int count() {
-        return count;
+        return Arrays.copyOf(numbers, count * Bvh.NODE_STRIDE);
     }
 }

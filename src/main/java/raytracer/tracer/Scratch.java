@@ -1,6 +1,9 @@
 package raytracer.tracer;
 
-/** What one thread needs to find surfaces for its {@link Rays}: a walk and where it begins, a beam, and by ray numbers in between. */
+/**
+ * What one thread needs to find surfaces for its {@link Rays}: a walk and where it begins, a beam, and by ray numbers
+ * in between.
+ */
 final class Scratch {
 
     final BvhWalk walk = new BvhWalk();

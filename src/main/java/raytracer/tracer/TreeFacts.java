@@ -12,8 +12,8 @@ package raytracer.tracer;
 public record TreeFacts(String kind, int things, int beside, int nodes, int depth, long bytes) {
 
     static TreeFacts of(String kind, Bvh bvh) {
-        return new TreeFacts(kind, bvh.order().length - bvh.beside(), bvh.beside(), bvh.nodes().length / Bvh.NODE_STRIDE,
-                depth(bvh, bvh.root()), 4L * bvh.nodes().length);
+        return new TreeFacts(kind, bvh.order().length - bvh.beside(), bvh.beside(),
+                bvh.nodes().length / Bvh.NODE_STRIDE, depth(bvh, bvh.root()), 4L * bvh.nodes().length);
     }
 
     private static int depth(Bvh bvh, int node) {

@@ -125,8 +125,9 @@ final class TriangleSieve {
             momentZ = (float) (walk.x() * dy - walk.y() * dx);
             // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
             double reach = 2 * (walk.start() + 4);
-            // Triangles takes what is within the bound by what it has computed, which is off by as much; and the walk
-            // has moved the origin, by which a side is off by less than another two such bounds.
+            // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side
+            // for edges up to twice as long as the bound here); and the walk has moved the origin, by which a side is
+            // off by less than another two such bounds.
             tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError * bvh.scale(), directionError, reach, 1));
         }
     }

@@ -125,6 +125,22 @@ class BvhTest {
         }
     }
 
+    private static int reachable(Bvh bvh, int node) {
+        int count = 1;
+        for (int child = 0; child < Bvh.WIDTH; child++) {
+            int at = node * Bvh.NODE_STRIDE + child;
+            count += bvh.nodes()[at + Bvh.HALF] >= 0 && bvh.child(at) >= 0 ? reachable(bvh, bvh.child(at)) : 0;
+        }
+        return count;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {50, 100_000})
+    void holdsNoNodeInVain(int count) {
+        Bvh bvh = build(cubes(count, 2, .01, 0, 7), 2);
+        assertEquals(reachable(bvh, bvh.root()), bvh.nodes().length / Bvh.NODE_STRIDE);
+    }
+
     @Test
     void isTheSameForAnyNumberOfThreads() {
         double[][] boxes = cubes(50_000, 2, .01, 0, 7);

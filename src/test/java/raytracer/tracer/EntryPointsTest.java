@@ -27,7 +27,8 @@ class EntryPointsTest {
     private int spared;
 
     private static Vector random(Random random, double spread) {
-        return new Vector(spread * random.nextGaussian(), spread * random.nextGaussian(), spread * random.nextGaussian());
+        return new Vector(
+                spread * random.nextGaussian(), spread * random.nextGaussian(), spread * random.nextGaussian());
     }
 
     private static Vector plus(Vector a, double t, Vector b) {
@@ -88,8 +89,9 @@ class EntryPointsTest {
         return BvhTest.build(boxes, 2);
     }
 
-    @ParameterizedTest(name = "lead rays to all they meet: world offset {0}, {1} away, directions {2} apart, origins {3}")
-    @CsvSource({"0, 4, .01, 0", "0, 4, .02, .02", "1e6, 4, .02, .01", "-1e7, 3, .02, .05", "0, 1e5, 1e-6, .05", "0, .9, .05, .03"})
+    @ParameterizedTest(name = "lead to all: world offset {0}, {1} away, directions {2} apart, origins {3}")
+    @CsvSource({"0, 4, .01, 0", "0, 4, .02, .02", "1e6, 4, .02, .01", "-1e7, 3, .02, .05",
+        "0, 1e5, 1e-6, .05", "0, .9, .05, .03"})
     void leadRaysToAllTheyMeet(double offset, double away, double spread, double apart) {
         Bvh bvh = build(offset);
         Random random = new Random(2);

@@ -29,6 +29,17 @@ class TriangleSieveTest {
         return mesh.build();
     }
 
+    private static Bvh tree(Mesh mesh) {
+        return BvhBuilder.build(COUNT, Triangles.bounds(mesh, IntStream.range(0, COUNT).toArray()),
+                Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
+    }
+
+    private static TriangleSieve sieve(Mesh mesh, Bvh bvh) {
+        TriangleSieve sieve = new TriangleSieve(mesh, bvh.order(), bvh);
+        IntStream.range(0, COUNT).forEach(sieve::set);
+        return sieve;
+    }
+
     private static double between(double a, double b, double c, double u, double v) {
         return a + u * (b - a) + v * (c - a);
     }
@@ -40,15 +51,13 @@ class TriangleSieveTest {
     }
 
     @ParameterizedTest(name = "lets every ray through that aims within: world offset {0}, triangles of {1}, from {2}")
-    @CsvSource({"0, .05, 5", "0, 1, .5", "1e6, .05, 5", "0, 1e-6, 5", "0, .05, 1e6", "-1e9, .1, 3", "0, 1e-9, 4", "0, 1e-11, 4",
-        "0, 1e-13, 4", "0, 1e-30, 4"})
+    @CsvSource({"0, .05, 5", "0, 1, .5", "1e6, .05, 5", "0, 1e-6, 5", "0, .05, 1e6", "-1e9, .1, 3",
+        "0, 1e-9, 4", "0, 1e-11, 4", "0, 1e-13, 4", "0, 1e-30, 4"})
     void letsThroughWhatAimsWithin(double offset, double size, double away) {
         Random random = new Random(5);
         Mesh mesh = triangles(random, offset, size);
-        Bvh bvh = BvhBuilder.build(COUNT, Triangles.bounds(mesh, IntStream.range(0, COUNT).toArray()),
-                Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
-        TriangleSieve sieve = new TriangleSieve(mesh, bvh.order(), bvh);
-        IntStream.range(0, COUNT).forEach(sieve::set);
+        Bvh bvh = tree(mesh);
+        TriangleSieve sieve = sieve(mesh, bvh);
         TriangleSieve.Line line = new TriangleSieve.Line();
         BvhWalk walk = new BvhWalk();
         int stopped = 0;
@@ -76,10 +85,8 @@ class TriangleSieveTest {
     void letsThroughWhatMayBeOff(double error) {
         Random random = new Random(6);
         Mesh mesh = triangles(random, 0, .5);
-        Bvh bvh = BvhBuilder.build(COUNT, Triangles.bounds(mesh, IntStream.range(0, COUNT).toArray()),
-                Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
-        TriangleSieve sieve = new TriangleSieve(mesh, bvh.order(), bvh);
-        IntStream.range(0, COUNT).forEach(sieve::set);
+        Bvh bvh = tree(mesh);
+        TriangleSieve sieve = sieve(mesh, bvh);
         TriangleSieve.Line line = new TriangleSieve.Line();
         BvhWalk walk = new BvhWalk();
         for (int i = 0; i < 20_000; i++) {
