@@ -11,11 +11,20 @@ final class Shading {
     /** The greatest whole exponent that is multiplied out. */
     private static final int MOST_MULTIPLIED = 1024;
 
-    private final List<Surfaces> surfaces;
     private final List<Lamp> lamps;
     private final Rays rays;
     private final ShadowRays shadows;
     private long shadowCount;
+
+    // What is shaded, and from which lamp.
+    private Material material;
+    private Lamp lamp;
+
+    // Objects as all passes are, or C2 would compile each into shade once more.
+    private final Pass aim = this::aim;
+    private final Pass findReflectance = this::findReflectance;
+    private final Pass addLight = this::addLight;
+    private final Pass[] block;
 
     private final Pass findLambert;
     private final Pass findHighlight;
@@ -39,11 +48,12 @@ final class Shading {
     private final Term specularTerm;
 
     /** @param rays what is shaded, when it has arrived */
-    Shading(List<Surfaces> surfaces, List<Lamp> lamps, Rays rays) {
-        this.surfaces = surfaces;
+    Shading(List<Surfaces> surfaces, List<Lamp> lamps, Rays rays, Scratch scratch) {
         this.lamps = lamps;
         this.rays = rays;
         shadows = new ShadowRays(rays);
+        block = surfaces.stream().map(kind -> (Pass) (from, to) -> kind.block(rays, shadows, from, to, scratch))
+                .toArray(Pass[]::new);
         ShadowRays s = shadows;
         findLambert = new Pass.Dot(rays.normal, s.direction, s.lambert);
         // The half vector, not of length 1: the cosine is divided by its length instead.
@@ -110,29 +120,35 @@ final class Shading {
      *
      * @param samples if they have paths, these take note of which lights are seen
      */
-    void shade(int from, int to, Material material, Samples samples, Scratch scratch) {
+    void shade(int from, int to, Material ofAll, Samples samples) {
+        material = ofAll;
         Arrays.fill(red, from, to, material.ambient().red());
         Arrays.fill(green, from, to, material.ambient().green());
         Arrays.fill(blue, from, to, material.ambient().blue());
         if (material.diffuse().isBlack() && material.specular().isBlack()) {
             return;
         }
-        for (Lamp lamp : lamps) {
-            shadows.aim(lamp, from, to);
-            reflectance(material, from, to);
-            int open = open(material, from, to);
+        for (Lamp each : lamps) {
+            lamp = each;
+            Pass.run(aim, from, to);
+            Pass.run(findReflectance, from, to);
+            int open = open(from, to);
             if (open > 0) {
                 shadowCount += open;
-                for (Surfaces kind : surfaces) {
-                    kind.block(rays, shadows, from, to, scratch);
+                for (Pass kind : block) {
+                    Pass.run(kind, from, to);
                 }
-                addLight(lamp.colour(), material, from, to);
+                Pass.run(addLight, from, to);
             }
             // Even where all are dark: a path must not depend on what other rays are in the group.
             if (samples.path != null) {
                 extendPaths(samples, from, to);
             }
         }
+    }
+
+    private void aim(int from, int to) {
+        shadows.aim(lamp, from, to);
     }
 
     private void extendPaths(Samples samples, int from, int to) {
@@ -150,7 +166,7 @@ final class Shading {
     }
 
     /** Computes the cosines that decide how much light the surface returns. */
-    private void reflectance(Material material, int from, int to) {
+    private void findReflectance(int from, int to) {
         Pass.run(findLambert, from, to);
         if (!material.specular().isBlack()) {
             Pass.run(findHighlight, from, to);
@@ -158,7 +174,7 @@ final class Shading {
     }
 
     /** Opens the ways to the light on which it would add something; returns how many. */
-    private int open(Material material, int from, int to) {
+    private int open(int from, int to) {
         boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
         boolean alwaysSpecular = specular && material.shininess() <= 0;
         int count = 0;
@@ -171,7 +187,8 @@ final class Shading {
         return count;
     }
 
-    private void addLight(Colour light, Material material, int from, int to) {
+    private void addLight(int from, int to) {
+        Colour light = lamp.colour();
         most(shadows.open, most, from, to);
         Pass.run(limitLambert, from, to);
         diffuseTerm.add(light, material.diffuse(), from, to);

@@ -32,7 +32,7 @@ public final class TileTracer {
     private final int[] kept = new int[Rays.CAPACITY];
 
     /** In turn from one place, as passes are run, so that HotSpot compiles each of them alone. */
-    private final Runnable[] steps = {this::findNearest, this::arrive, this::shade, this::reflect};
+    private final Runnable[] steps = {this::findNearest, this::arrange, this::arrive, this::shade, this::reflect};
 
     /** How many surfaces the paths of this round's rays have met with the one that they meet now. */
     private int depth;
@@ -50,7 +50,7 @@ public final class TileTracer {
         rays = new Rays(slots.declared(), surfaces);
         groups = new Groups(slots);
         aiming = pinhole.aiming(rays);
-        shading = new Shading(surfaces, lamps, rays);
+        shading = new Shading(surfaces, lamps, rays, scratch);
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
@@ -86,12 +86,16 @@ public final class TileTracer {
         return new RayCounts(primaryCount, shading.shadowCount(), reflectionCount);
     }
 
-    /** Finds every ray's nearest surface; those that meet none leave. */
+    /** Finds every ray's nearest surface. */
     private void findNearest() {
         rays.clearHits();
         for (Surfaces kind : surfaces) {
             kind.findNearest(rays, scratch);
         }
+    }
+
+    /** Puts rays that have met surfaces of the same look together; those that have met none leave. */
+    private void arrange() {
         groups.arrange(rays);
     }
 
@@ -122,7 +126,7 @@ public final class TileTracer {
 
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(groups.start(group), groups.end(group), material[groups.look(group)], samples, scratch);
+            shading.shade(groups.start(group), groups.end(group), material[groups.look(group)], samples);
         }
         addToSamples();
     }
