@@ -2,6 +2,7 @@ package raytracer.tracer;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 
@@ -15,14 +16,15 @@ public final class TileTracer {
     /**
      * Fewer rays are traced together until HotSpot has compiled the passes: one that was called 600 times is compiled
      * as a whole, but one that has gone round 40,000 times before is compiled for the single call that it is in first,
-     * to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
+     * to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold). HotSpot counts what all threads do.
      */
     private static final int COLD_CAPACITY = 40;
-    private static final int COLD_RAYS = 3000 * COLD_CAPACITY;
+    private static final int COLD_RAYS = 6000 * COLD_CAPACITY;
 
     private final List<Surfaces> surfaces;
     private final Material[] material;
     private final int maxDepth;
+    private final AtomicLong tracedByAll;
 
     private final Scratch scratch = new Scratch();
     private final Rays rays;
@@ -43,10 +45,13 @@ public final class TileTracer {
     private long primaryCount;
     private long reflectionCount;
 
-    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
+    /** @param tracedByAll rays from the eye that this and the scene's other tracers have traced */
+    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth,
+            AtomicLong tracedByAll) {
         this.surfaces = surfaces;
         this.material = slots.material();
         this.maxDepth = maxDepth;
+        this.tracedByAll = tracedByAll;
         rays = new Rays(slots.declared(), surfaces);
         groups = new Groups(slots);
         aiming = pinhole.aiming(rays);
@@ -56,7 +61,7 @@ public final class TileTracer {
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
-        int most = primaryCount < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
+        int most = tracedByAll.getAndAdd(all.count) < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
         for (int from = 0; from < all.count; from += most) {
             trace(from, Math.min(most, all.count - from));
         }
