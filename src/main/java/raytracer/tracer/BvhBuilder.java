@@ -13,12 +13,6 @@ final class BvhBuilder {
     /** Fewer things than this are not worth another task. */
     private static final int PARALLEL_SIZE = 4096;
 
-    /** About: a node has three children or four, and one of them is a node itself. */
-    private static final double LEAVES_PER_NODE = 2.5;
-
-    /** About how full leaves are. */
-    private static final double LEAF_FILL = 0.7;
-
     /** A thing is kept beside the tree if its box is more than this part as wide as all boxes together. */
     private static final double TOO_WIDE = 0.5;
 
@@ -57,7 +51,7 @@ final class BvhBuilder {
         int first = beside;
         Halves.run(pool, beside, count,
                 (from, to) -> setTreeBoxes(boxes, first, order, from, to, bounds, new double[] {cx, cy, cz}, scale));
-        Nodes nodes = new Nodes(0);
+        Nodes nodes = new Nodes();
         int root = Bvh.leaf(beside, count - beside);
         if (count - beside > leafSize) {
             Range whole = new Range(beside, count, 0, null);
@@ -149,7 +143,7 @@ final class BvhBuilder {
 
         @Override
         protected Nodes compute() {
-            Nodes nodes = new Nodes((int) (range.size() / (LEAVES_PER_NODE * leafSize * LEAF_FILL)) + 1);
+            Nodes nodes = new Nodes();
             grow(nodes, range);
             return nodes;
         }
@@ -160,10 +154,13 @@ final class BvhBuilder {
             int count = split(parent, parts);
             Subtree[] tasks = forkLarge(parts, count);
             for (int k = 0; k < count; k++) {
-                int child = parts[k].size() <= leafSize ? Bvh.leaf(parts[k].from, parts[k].size())
-                        : tasks[k] != null ? nodes.append(tasks[k].join()) : grow(nodes, parts[k]);
                 nodes.setBox(node, k, parts[k].box);
-                nodes.setChild(node, k, child);
+                if (tasks[k] != null) {
+                    nodes.graft(node, k, tasks[k].join());
+                } else {
+                    nodes.setChild(node, k, parts[k].size() <= leafSize
+                            ? Bvh.leaf(parts[k].from, parts[k].size()) : grow(nodes, parts[k]));
+                }
             }
             return node;
         }

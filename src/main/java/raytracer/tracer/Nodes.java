@@ -1,21 +1,29 @@
 package raytracer.tracer;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
-/** Nodes of a {@link Bvh} in the making: a growing list, into which a finished subtree's can be copied. */
+/**
+ * Nodes of a {@link Bvh} in the making: a growing list, to which subtrees are grafted that were made elsewhere. All are
+ * copied to one place once, at the end: each large array on the way would have the garbage collector look at the heap.
+ */
 final class Nodes {
 
-    private float[] numbers;
-    private int count;
+    private static final int FIRST_CAPACITY = 64;
 
-    /** @param expected how many nodes there will be, about */
-    Nodes(int expected) {
-        numbers = new float[Math.multiplyExact(expected, Bvh.NODE_STRIDE)];
-    }
+    private float[] numbers = new float[FIRST_CAPACITY * Bvh.NODE_STRIDE];
+    private int count;
+    private final List<Graft> grafts = new ArrayList<>();
+
+    /** A child that is the first node of another list. */
+    private record Graft(int node, int child, Nodes nodes) { }
 
     /** Adds a node without children; returns its number. */
     int add() {
-        reserve(1);
+        if (Math.multiplyExact(count + 1, Bvh.NODE_STRIDE) > numbers.length) {
+            numbers = Arrays.copyOf(numbers, Math.multiplyExact(count + count / 2, Bvh.NODE_STRIDE));
+        }
         int at = count * Bvh.NODE_STRIDE;
         for (int axis = 0; axis < 3; axis++) {
             // A box that no ray meets is as wide as less than nothing.
@@ -41,30 +49,37 @@ final class Nodes {
         numbers[node * Bvh.NODE_STRIDE + Bvh.CHILD + child] = Float.intBitsToFloat(value);
     }
 
-    /** Copies all nodes of another list behind these; returns the new number of its first. */
-    int append(Nodes other) {
-        reserve(other.count);
-        int first = count;
-        System.arraycopy(other.numbers, 0, numbers, first * Bvh.NODE_STRIDE, other.count * Bvh.NODE_STRIDE);
-        count += other.count;
-        for (int node = first; node < count; node++) {
+    /** Makes the first of other nodes a child; they must be complete. */
+    void graft(int node, int child, Nodes other) {
+        grafts.add(new Graft(node, child, other));
+    }
+
+    /** {@link Bvh#NODE_STRIDE} a node: these, then those of each graft. */
+    float[] numbers() {
+        float[] all = new float[Math.multiplyExact(size(), Bvh.NODE_STRIDE)];
+        copy(all, 0);
+        return all;
+    }
+
+    private int size() {
+        return count + grafts.stream().mapToInt(graft -> graft.nodes.size()).sum();
+    }
+
+    /** Copies all to another place, where the first becomes this number; returns the number behind the last. */
+    private int copy(float[] all, int first) {
+        System.arraycopy(numbers, 0, all, first * Bvh.NODE_STRIDE, count * Bvh.NODE_STRIDE);
+        for (int node = first; node < first + count; node++) {
             for (int child = 0; child < Bvh.WIDTH; child++) {
-                int old = Float.floatToRawIntBits(numbers[node * Bvh.NODE_STRIDE + Bvh.CHILD + child]);
-                setChild(node, child, old < 0 ? old : old + first);
+                int at = node * Bvh.NODE_STRIDE + Bvh.CHILD + child;
+                int old = Float.floatToRawIntBits(all[at]);
+                all[at] = Float.intBitsToFloat(old < 0 ? old : old + first);
             }
         }
-        return first;
-    }
-
-    private void reserve(int more) {
-        int needed = count + more;
-        if (Math.multiplyExact(needed, Bvh.NODE_STRIDE) > numbers.length) {
-            numbers = Arrays.copyOf(numbers, Math.multiplyExact(needed + needed / 2, Bvh.NODE_STRIDE));
+        int end = first + count;
+        for (Graft graft : grafts) {
+            all[(first + graft.node) * Bvh.NODE_STRIDE + Bvh.CHILD + graft.child] = Float.intBitsToFloat(end);
+            end = graft.nodes.copy(all, end);
         }
-    }
-
-    /** {@link Bvh#NODE_STRIDE} a node, and none for nodes to come. */
-    float[] numbers() {
-        return Arrays.copyOf(numbers, count * Bvh.NODE_STRIDE);
+        return end;
     }
 }
