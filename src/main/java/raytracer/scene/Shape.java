@@ -26,8 +26,8 @@ public sealed interface Shape {
     record Plane(Vector point, Vector normal, Material material) implements Shape { }
 
     /**
-     * Triangles {@code first} to {@code first + count - 1} of the scene's mesh. A run, not an object per triangle:
-     * a mesh may hold millions.
+     * Triangles {@code first} to {@code first + count - 1} of the scene's mesh; runs follow one another in the mesh as
+     * among the shapes, and leave none out. A run, not an object per triangle: a mesh may hold millions.
      */
     record Triangles(int first, int count, Material material) implements Shape { }
 }

@@ -35,15 +35,15 @@ final class BvhBuilder {
         for (int i = 0; i < count; i++) {
             order[i] = i;
         }
-        double[] all = enclosing(order, 0, bounds);
+        Extent extent = Extent.of(order, 0, bounds, pool);
         int beside = 0;
         // Without the widest the others may have a much smaller box, in which some are the widest again.
-        for (int found; (found = setAside(order, beside, bounds, TOO_WIDE * width(all))) != beside; ) {
+        for (int found; (found = setAside(order, beside, bounds, extent)) != beside; ) {
             beside = found;
-            all = enclosing(order, beside, bounds);
+            extent = Extent.of(order, beside, bounds, pool);
         }
-        double scale = scale(width(all));
-        double cx = middle(all, 0), cy = middle(all, 1), cz = middle(all, 2);
+        double scale = scale(extent.width());
+        double cx = extent.middle(0), cy = extent.middle(1), cz = extent.middle(2);
         if (beside == count) {
             return new Bvh(order, beside, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
@@ -62,12 +62,16 @@ final class BvhBuilder {
     }
 
     /** Brings the things that are too wide to the front; all or, if there are too many of them, none. */
-    private static int setAside(int[] order, int from, Bounds bounds, double tooWide) {
+    private static int setAside(int[] order, int from, Bounds bounds, Extent extent) {
+        double tooWide = TOO_WIDE * extent.width();
+        if (extent.widest() <= tooWide) {
+            return from;
+        }
         double[] box = new double[6];
         int wide = from;
         for (int i = from; i < order.length; i++) {
             bounds.of(order[i], box);
-            if (width(box) > tooWide) {
+            if (Extent.width(box) > tooWide) {
                 if (wide == MOST_BESIDE) {
                     return from;
                 }
@@ -77,28 +81,6 @@ final class BvhBuilder {
             }
         }
         return wide;
-    }
-
-    private static double[] enclosing(int[] order, int from, Bounds bounds) {
-        double inf = Double.POSITIVE_INFINITY;
-        double[] all = {inf, inf, inf, -inf, -inf, -inf};
-        double[] box = new double[6];
-        for (int i = from; i < order.length; i++) {
-            bounds.of(order[i], box);
-            for (int axis = 0; axis < 3; axis++) {
-                all[axis] = Math.min(all[axis], box[axis]);
-                all[axis + 3] = Math.max(all[axis + 3], box[axis + 3]);
-            }
-        }
-        return all;
-    }
-
-    private static double width(double[] box) {
-        return Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
-    }
-
-    private static double middle(double[] box, int axis) {
-        return box[axis] / 2 + box[axis + 3] / 2;
     }
 
     /** The power of two that brings half of a width to 1/2 or more, and below 1. */

@@ -1,7 +1,6 @@
 package raytracer.tracer;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,9 +22,6 @@ final class SurfaceCompiler {
 
     private final List<Shape.Plane> planes = new ArrayList<>();
     private final List<Shape.Sphere> spheres = new ArrayList<>();
-    // Triangles with an area: their numbers in the mesh.
-    private final int[] triangles;
-    private int triangleCount;
 
     // By number among the shapes of its kind: what goes to the slot table.
     private final Origins planeOrigins;
@@ -72,14 +68,13 @@ final class SurfaceCompiler {
         planeOrigins = new Origins((int) scene.shapes().stream().filter(s -> s instanceof Shape.Plane).count());
         sphereOrigins = new Origins((int) scene.shapes().stream().filter(s -> s instanceof Shape.Sphere).count());
         triangleOrigins = new Origins(mesh.triangles());
-        triangles = new int[mesh.triangles()];
         int declared = 0;
         for (int i = 0; i < shapes; i++) {
             Shape shape = scene.shapes().get(i);
             sort(shape, declared);
             declared = Math.addExact(declared, shape.count());
         }
-        declaredBySlot = new int[planes.size() + spheres.size() + triangleCount];
+        declaredBySlot = new int[planes.size() + spheres.size() + mesh.triangles()];
         lookBySlot = new int[declaredBySlot.length];
     }
 
@@ -92,10 +87,7 @@ final class SurfaceCompiler {
             sphereOrigins.add(declared, sphere.material());
         } else if (shape instanceof Shape.Triangles run) {
             for (int k = 0; k < run.count(); k++) {
-                if (!Triangles.normal(mesh, run.first() + k).isZero()) {
-                    triangles[triangleCount++] = run.first() + k;
-                    triangleOrigins.add(declared + k, run.material());
-                }
+                triangleOrigins.add(declared + k, run.material());
             }
         }
     }
@@ -130,18 +122,15 @@ final class SurfaceCompiler {
     }
 
     Optional<Surfaces> triangles() {
-        if (triangleCount == 0) {
+        if (mesh.triangles() == 0) {
             return Optional.empty();
         }
-        int[] solid = Arrays.copyOf(triangles, triangleCount);
-        Bvh bvh = BvhBuilder.build(triangleCount, Triangles.bounds(mesh, solid), Triangles.LEAF_SIZE, pool);
+        Bvh bvh = BvhBuilder.build(mesh.triangles(), Triangles.bounds(mesh), Triangles.LEAF_SIZE, pool);
         int firstSlot = planes.size() + spheres.size();
-        int[] ordered = new int[triangleCount];
-        for (int k = 0; k < triangleCount; k++) {
-            ordered[k] = solid[bvh.order()[k]];
+        for (int k = 0; k < mesh.triangles(); k++) {
             settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
         }
-        return Optional.of(new Triangles(mesh, ordered, firstSlot, bvh, pool));
+        return Optional.of(new Triangles(mesh, firstSlot, bvh, pool));
     }
 
     private void settle(int slot, Origins from, int k) {

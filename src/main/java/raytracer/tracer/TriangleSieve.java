@@ -34,13 +34,12 @@ final class TriangleSieve {
     /**
      * Sorts out nothing yet: each triangle must be {@link #set}.
      *
-     * @param order which triangles of the mesh
-     * @param bvh   in whose space lines will come
+     * @param bvh of all triangles of the mesh: lines will come in its space
      */
-    TriangleSieve(Mesh mesh, int[] order, Bvh bvh) {
+    TriangleSieve(Mesh mesh, Bvh bvh) {
         this.mesh = mesh;
-        this.order = order;
         this.bvh = bvh;
+        order = bvh.order();
         numbers = new float[Math.multiplyExact(STRIDE, order.length)];
     }
 

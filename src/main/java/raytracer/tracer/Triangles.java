@@ -11,7 +11,7 @@ import raytracer.scene.Vector;
  * and Wald, Watertight Ray/Triangle Intersection, JCGT 2013, in the coordinates of Davidovic et al., 3D Rasterization:
  * A Bridge between Rasterization and Ray Casting, 2012). At a corner many edges meet, and their rounded signs may
  * contradict one another so that no triangle is left; therefore a ray that rounding cannot tell from an edge is on it,
- * and meets both sides.
+ * and meets both sides. A triangle without area has a normal of NaNs, by which every comparison fails: none meets it.
  */
 final class Triangles extends BoundedSurfaces {
 
@@ -30,13 +30,13 @@ final class Triangles extends BoundedSurfaces {
     private final double[] normals;
     private final TriangleSieve sieve;
 
-    /** @param order which triangles of the mesh, in the order of the tree's leaves; none of them without area */
-    Triangles(Mesh mesh, int[] order, int firstSlot, Bvh bvh, ForkJoinPool pool) {
+    /** @param bvh of all triangles of the mesh */
+    Triangles(Mesh mesh, int firstSlot, Bvh bvh, ForkJoinPool pool) {
         super(firstSlot, bvh);
         this.mesh = mesh;
-        this.order = order;
+        order = bvh.order();
         normals = new double[Math.multiplyExact(3, order.length)];
-        sieve = new TriangleSieve(mesh, order, bvh);
+        sieve = new TriangleSieve(mesh, bvh);
         Halves.run(pool, 0, order.length, (from, to) -> {
             for (int k = from; k < to; k++) {
                 setNormal(k);
@@ -46,7 +46,8 @@ final class Triangles extends BoundedSurfaces {
     }
 
     private void setNormal(int k) {
-        Vector n = normal(mesh, order[k]).unit();
+        Vector a = mesh.corner(order[k], 0);
+        Vector n = mesh.corner(order[k], 1).minus(a).cross(mesh.corner(order[k], 2).minus(a)).unit();
         normals[3 * k] = n.x();
         normals[3 * k + 1] = n.y();
         normals[3 * k + 2] = n.z();
@@ -56,18 +57,12 @@ final class Triangles extends BoundedSurfaces {
         return mesh.coordinate(order[k], corner, axis);
     }
 
-    /** A vector along a triangle's normal; zero if the triangle has no area. */
-    static Vector normal(Mesh mesh, int triangle) {
-        Vector a = mesh.corner(triangle, 0);
-        return mesh.corner(triangle, 1).minus(a).cross(mesh.corner(triangle, 2).minus(a));
-    }
-
-    static Bounds bounds(Mesh mesh, int[] triangles) {
+    static Bounds bounds(Mesh mesh) {
         return (k, box) -> {
             for (int axis = 0; axis < 3; axis++) {
-                double a = mesh.coordinate(triangles[k], 0, axis);
-                double b = mesh.coordinate(triangles[k], 1, axis);
-                double c = mesh.coordinate(triangles[k], 2, axis);
+                double a = mesh.coordinate(k, 0, axis);
+                double b = mesh.coordinate(k, 1, axis);
+                double c = mesh.coordinate(k, 2, axis);
                 box[axis] = Math.min(a, Math.min(b, c));
                 box[axis + 3] = Math.max(a, Math.max(b, c));
             }

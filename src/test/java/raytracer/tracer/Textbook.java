@@ -47,13 +47,10 @@ public final class Textbook {
                 }
             }
         }
-        int[] all = new int[scene.mesh().triangles()];
-        for (int k = 0; k < all.length; k++) {
-            all[k] = k;
-        }
         ForkJoinPool pool = ForkJoinPool.commonPool();
         sphereTree = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Bvh.LEAF_SIZE, pool);
-        triangleTree = BvhBuilder.build(all.length, Triangles.bounds(scene.mesh(), all), Bvh.LEAF_SIZE, pool);
+        triangleTree = BvhBuilder.build(
+                scene.mesh().triangles(), Triangles.bounds(scene.mesh()), Bvh.LEAF_SIZE, pool);
     }
 
     /** Renders on the calling thread. */

@@ -30,12 +30,12 @@ class TriangleSieveTest {
     }
 
     private static Bvh tree(Mesh mesh) {
-        return BvhBuilder.build(COUNT, Triangles.bounds(mesh, IntStream.range(0, COUNT).toArray()),
+        return BvhBuilder.build(COUNT, Triangles.bounds(mesh),
                 Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
     }
 
     private static TriangleSieve sieve(Mesh mesh, Bvh bvh) {
-        TriangleSieve sieve = new TriangleSieve(mesh, bvh.order(), bvh);
+        TriangleSieve sieve = new TriangleSieve(mesh, bvh);
         IntStream.range(0, COUNT).forEach(sieve::set);
         return sieve;
     }
