@@ -8,9 +8,11 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.scene.Vector;
 
@@ -177,5 +179,18 @@ class BvhTest {
         assertEquals(1, bvh.beside());
         assertEquals(500, bvh.order()[0]);
         assertTrue(bvh.scale() >= .25, "the tree is as large as the rest");
+    }
+
+    @ParameterizedTest(name = "of {0} parts of the width of all: {1} beside")
+    @CsvSource({".49, 0", ".51, 1"})
+    void keepsWhatIsMoreThanHalfAsWideAsAllBeside(double part, int beside) {
+        // So many that several threads look for the widest.
+        double[][] boxes = cubes(100_000, 1.9, .01, 0, 11);
+        boxes[0] = new double[] {-1, -1, -1, -1, -1, -1};
+        boxes[1] = new double[] {1, 1, 1, 1, 1, 1};
+        boxes[70_000] = new double[] {-part, 0, 0, part, .1, .1};
+        Bvh bvh = build(boxes, 2);
+        assertEquals(beside, bvh.beside());
+        assertEquals(beside, IntStream.range(0, bvh.beside()).filter(k -> bvh.order()[k] == 70_000).count());
     }
 }
