@@ -16,15 +16,17 @@ public final class TileTracer {
     /**
      * Fewer rays are traced together until HotSpot has compiled the passes: one that was called 600 times is compiled
      * as a whole, but one that has gone round 40,000 times before is compiled for the single call that it is in first,
-     * to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold). HotSpot counts what all threads do.
+     * to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
     private static final int COLD_CAPACITY = 40;
     private static final int COLD_RAYS = 6000 * COLD_CAPACITY;
 
+    /** Rays from the eye that any tracer has traced: HotSpot too counts for the whole process. */
+    private static final AtomicLong TRACED = new AtomicLong();
+
     private final List<Surfaces> surfaces;
     private final Material[] material;
     private final int maxDepth;
-    private final AtomicLong tracedByAll;
 
     private final Scratch scratch = new Scratch();
     private final Rays rays;
@@ -45,13 +47,10 @@ public final class TileTracer {
     private long primaryCount;
     private long reflectionCount;
 
-    /** @param tracedByAll rays from the eye that this and the scene's other tracers have traced */
-    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth,
-            AtomicLong tracedByAll) {
+    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
         this.surfaces = surfaces;
         this.material = slots.material();
         this.maxDepth = maxDepth;
-        this.tracedByAll = tracedByAll;
         rays = new Rays(slots.declared(), surfaces);
         groups = new Groups(slots);
         aiming = pinhole.aiming(rays);
@@ -61,7 +60,7 @@ public final class TileTracer {
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
-        int most = tracedByAll.getAndAdd(all.count) < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
+        int most = TRACED.getAndAdd(all.count) < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
         for (int from = 0; from < all.count; from += most) {
             trace(from, Math.min(most, all.count - from));
         }

@@ -3,7 +3,6 @@ package raytracer.tracer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Scene;
 
 /**
@@ -20,9 +19,6 @@ public final class Tracer {
     private final SlotTable slots;
     private final List<Lamp> lamps;
     private final int maxDepth;
-
-    /** Changes no picture, only how soon it is there: see {@link TileTracer}. */
-    private final AtomicLong traced = new AtomicLong();
 
     private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
         this.pinhole = pinhole;
@@ -71,6 +67,6 @@ public final class Tracer {
 
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
-        return new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, traced);
+        return new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
     }
 }
