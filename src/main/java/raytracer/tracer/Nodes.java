@@ -10,6 +10,7 @@ import java.util.List;
  */
 final class Nodes {
 
+    /** In nodes; a list grows by half of itself. */
     private static final int FIRST_CAPACITY = 64;
 
     private float[] numbers = new float[FIRST_CAPACITY * Bvh.NODE_STRIDE];

@@ -27,7 +27,6 @@ final class TriangleSieve {
     private static final float SHORTEST = 0x1p-29f;
 
     private final Mesh mesh;
-    private final int[] order;
     private final Bvh bvh;
     private final float[] numbers;
 
@@ -39,8 +38,7 @@ final class TriangleSieve {
     TriangleSieve(Mesh mesh, Bvh bvh) {
         this.mesh = mesh;
         this.bvh = bvh;
-        order = bvh.order();
-        numbers = new float[Math.multiplyExact(STRIDE, order.length)];
+        numbers = new float[Math.multiplyExact(STRIDE, bvh.order().length)];
     }
 
     /** Takes in triangle k. */
@@ -62,15 +60,15 @@ final class TriangleSieve {
     // A corner in tree space.
 
     private double x(int k, int corner) {
-        return (mesh.coordinate(order[k], corner, 0) - bvh.centreX()) * bvh.scale();
+        return (mesh.coordinate(bvh.order()[k], corner, 0) - bvh.centreX()) * bvh.scale();
     }
 
     private double y(int k, int corner) {
-        return (mesh.coordinate(order[k], corner, 1) - bvh.centreY()) * bvh.scale();
+        return (mesh.coordinate(bvh.order()[k], corner, 1) - bvh.centreY()) * bvh.scale();
     }
 
     private double z(int k, int corner) {
-        return (mesh.coordinate(order[k], corner, 2) - bvh.centreZ()) * bvh.scale();
+        return (mesh.coordinate(bvh.order()[k], corner, 2) - bvh.centreZ()) * bvh.scale();
     }
 
     private void setCross(int at, double ax, double ay, double az, double bx, double by, double bz) {
