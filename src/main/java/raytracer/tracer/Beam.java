@@ -17,7 +17,7 @@ final class Beam {
     private static final int MOST_NODES = 96;
 
     /** In tree space: from farther away, the doubles here are not exact enough for the boxes' padding. */
-    private static final double FARTHEST = 0x1p20;
+    static final double FARTHEST = 0x1p20;
 
     // By axis: the intervals of origins and directions.
     private final double[] leastOrigin = new double[3];

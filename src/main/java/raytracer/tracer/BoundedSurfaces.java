@@ -1,16 +1,22 @@
 package raytracer.tracer;
 
+import java.util.List;
+import java.util.Map;
+
 /** Surfaces of a finite size, many of them: a tree finds the few that a ray may meet. */
 abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Triangles {
 
     private final int firstSlot;
     private final int count;
     private final Bvh bvh;
+    private final Map<Lamp, LazyLightBuffer> lightBuffers;
 
-    BoundedSurfaces(int firstSlot, Bvh bvh) {
+    /** @param hulls by number among these */
+    BoundedSurfaces(int firstSlot, Bvh bvh, Hulls hulls, List<Lamp> lamps) {
         this.firstSlot = firstSlot;
         this.bvh = bvh;
         count = bvh.order().length;
+        lightBuffers = LazyLightBuffer.of(lamps, bvh, hulls);
     }
 
     /** Offers a ray the surface with this number among these, if it meets it. */
@@ -19,9 +25,13 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     /** Whether the surface with this number among these is strictly between a point and its light. */
     abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
 
-    /** Looks along a ray that is about to walk through the tree, for {@link #isInSight}. */
-    abstract void look(Bvh tree, double dx, double dy, double dz, double originError, double directionError,
-            Scratch scratch);
+    /**
+     * Looks along a ray through (x, y, z) in the tree's space, for {@link #isInSight}.
+     *
+     * @param far bounds how much |x| + |y| + |z| of the ray's origin is beyond what it is of points in the cube
+     */
+    abstract void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
+            double originError, double directionError, Scratch scratch);
 
     /** Whether the ray in {@link #look} may meet the surface with this number among these: at a glance. */
     abstract boolean isInSight(int k, Scratch scratch);
@@ -92,7 +102,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
             if (entryPoints.leadIn(i)
                     && walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
                 entryPoints.enter(walk, i);
-                look(bvh, rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i], rays.directionError[i], scratch);
+                look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
+                        rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i], rays.directionError[i], scratch);
                 meetOnTheWay(rays, i, scratch);
             }
         }
@@ -117,12 +128,23 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         Beam beam = scratch.beam;
         beam.take(rays, shadows.lamp, first, end);
         if (!beam.gather(bvh)) {
-            Pass.run((from, to) -> scratch.entryPoints.find(bvh, beam, rays.origin, shadows.direction, from, to),
-                    first, end);
-            Pass.run((from, to) -> walkToBlockers(rays, shadows, from, to, scratch), first, end);
+            blockEach(rays, shadows, first, end, scratch);
         } else if (beam.count() > 0) {
             Pass.run((from, to) -> blockThings(rays, shadows, from, to, scratch), first, end);
         }
+    }
+
+    /** Ray by ray. */
+    private void blockEach(Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
+        LazyLightBuffer lazy = lightBuffers.get(shadows.lamp);
+        LightBuffer buffer = lazy == null ? null : lazy.insteadOfWalks(end - first);
+        if (buffer != null && buffer.reaches(rays, first, end)) {
+            Pass.run((from, to) -> lookUpBlockers(buffer, rays, shadows, from, to, scratch), first, end);
+            return;
+        }
+        Pass.run((from, to) -> scratch.entryPoints.find(
+                bvh, scratch.beam, rays.origin, shadows.direction, from, to), first, end);
+        Pass.run((from, to) -> walkToBlockers(rays, shadows, from, to, scratch), first, end);
     }
 
     private void blockBeside(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
@@ -146,7 +168,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
             if (shadows.open[i] && entryPoints.leadIn(i) && walk.start(
                     bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
                 entryPoints.enter(walk, i);
-                look(bvh, shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
+                look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
+                        shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
                 shadows.open[i] = !anyBlocks(rays, shadows, i, scratch);
             }
         }
@@ -156,6 +179,33 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         BvhWalk walk = scratch.walk;
         while (walk.nextLeaf(shadows.distance[ray])) {
             for (int k = walk.first(); k < walk.end(); k++) {
+                if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void lookUpBlockers(LightBuffer buffer, Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+        LightBuffer.Cell cell = scratch.cell;
+        for (int i = from; i < to; i++) {
+            if (shadows.open[i]) {
+                buffer.find(rays.ox[i], rays.oy[i], rays.oz[i], cell);
+                if (cell.first < cell.end) {
+                    look(bvh, cell.x, cell.y, cell.z, Math.abs(cell.x) + Math.abs(cell.y) + Math.abs(cell.z),
+                            shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
+                    shadows.open[i] = !anyBlocks(buffer, rays, shadows, i, scratch);
+                }
+            }
+        }
+    }
+
+    private boolean anyBlocks(LightBuffer buffer, Rays rays, ShadowRays shadows, int ray, Scratch scratch) {
+        LightBuffer.Cell cell = scratch.cell;
+        for (int entry = cell.first; entry < cell.end; entry++) {
+            if (buffer.isNearer(entry, cell)) {
+                int k = buffer.thing(entry);
                 if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
                     return true;
                 }

@@ -26,8 +26,8 @@ final class Spheres extends BoundedSurfaces {
     private final double[] data;
 
     /** @param spheres in the order of the tree's leaves */
-    Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh) {
-        super(firstSlot, bvh);
+    Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh, List<Lamp> lamps) {
+        super(firstSlot, bvh, Hulls.of(spheres), lamps);
         int count = spheres.size();
         data = new double[STRIDE * count];
         for (int k = 0; k < count; k++) {
@@ -82,7 +82,8 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    void look(Bvh tree, double dx, double dy, double dz, double originError, double directionError, Scratch scratch) { }
+    void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
+            double originError, double directionError, Scratch scratch) { }
 
     /** A leaf is one sphere, whose box the ray has met. */
     @Override

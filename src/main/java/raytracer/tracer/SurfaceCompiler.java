@@ -14,6 +14,7 @@ import raytracer.scene.Shape;
 /** Sorts a scene's shapes by kind and gives each surface its slot: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {
 
+    private final List<Lamp> lamps;
     private final Mesh mesh;
     private final ForkJoinPool pool;
     private final int[] declaredBySlot;
@@ -61,7 +62,8 @@ final class SurfaceCompiler {
         }
     }
 
-    SurfaceCompiler(Scene scene, ForkJoinPool pool) {
+    SurfaceCompiler(Scene scene, List<Lamp> lamps, ForkJoinPool pool) {
+        this.lamps = lamps;
         this.mesh = scene.mesh();
         this.pool = pool;
         int shapes = scene.shapes().size();
@@ -118,7 +120,7 @@ final class SurfaceCompiler {
             ordered.add(spheres.get(bvh.order()[k]));
             settle(firstSlot + k, sphereOrigins, bvh.order()[k]);
         }
-        return Optional.of(new Spheres(ordered, firstSlot, bvh));
+        return Optional.of(new Spheres(ordered, firstSlot, bvh, lamps));
     }
 
     Optional<Surfaces> triangles() {
@@ -130,7 +132,7 @@ final class SurfaceCompiler {
         for (int k = 0; k < mesh.triangles(); k++) {
             settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
         }
-        return Optional.of(new Triangles(mesh, firstSlot, bvh, pool));
+        return Optional.of(new Triangles(mesh, firstSlot, bvh, lamps, pool));
     }
 
     private void settle(int slot, Origins from, int k) {

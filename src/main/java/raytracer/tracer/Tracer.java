@@ -32,13 +32,14 @@ public final class Tracer {
     public static Tracer compile(Scene scene, int threads) {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, pool);
+            List<Lamp> lamps = scene.lights().stream().map(Lamp::of).toList();
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, lamps, pool);
             List<Surfaces> surfaces = new ArrayList<>();
             compiler.planes().ifPresent(surfaces::add);
             compiler.spheres().ifPresent(surfaces::add);
             compiler.triangles().ifPresent(surfaces::add);
-            return new Tracer(new Pinhole(scene), List.copyOf(surfaces), compiler.slots(),
-                    scene.lights().stream().map(Lamp::of).toList(), scene.maxDepth());
+            return new Tracer(
+                    new Pinhole(scene), List.copyOf(surfaces), compiler.slots(), lamps, scene.maxDepth());
         } finally {
             pool.shutdown();
         }

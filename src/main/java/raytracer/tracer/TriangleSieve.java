@@ -108,24 +108,25 @@ final class TriangleSieve {
         private float tolerance;
 
         /**
-         * Takes the line of a ray.
+         * Takes the line of a ray through (x, y, z) in tree space.
          *
-         * @param walk has started on the ray
-         * @param originError of each coordinate, in world space, as directionError
+         * @param far bounds how far |x| + |y| + |z| of the ray's origin is beyond 4
+         * @param originError of each coordinate, in tree space
          */
-        void take(BvhWalk walk, Bvh bvh, double dx, double dy, double dz, double originError, double directionError) {
+        void take(double x, double y, double z, double far, double dx, double dy, double dz,
+                double originError, double directionError) {
             this.dx = (float) dx;
             this.dy = (float) dy;
             this.dz = (float) dz;
-            momentX = (float) (walk.y() * dz - walk.z() * dy);
-            momentY = (float) (walk.z() * dx - walk.x() * dz);
-            momentZ = (float) (walk.x() * dy - walk.y() * dx);
+            momentX = (float) (y * dz - z * dy);
+            momentY = (float) (z * dx - x * dz);
+            momentZ = (float) (x * dy - y * dx);
             // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
-            double reach = 2 * (walk.start() + 4);
+            double reach = 2 * (far + 4);
             // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side
             // for edges up to twice as long as the bound here); and the walk has moved the origin, by which a side is
             // off by less than another two such bounds.
-            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError * bvh.scale(), directionError, reach, 1));
+            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, reach, 1));
         }
     }
 }

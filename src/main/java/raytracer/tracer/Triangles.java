@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
@@ -31,8 +32,8 @@ final class Triangles extends BoundedSurfaces {
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
-    Triangles(Mesh mesh, int firstSlot, Bvh bvh, ForkJoinPool pool) {
-        super(firstSlot, bvh);
+    Triangles(Mesh mesh, int firstSlot, Bvh bvh, List<Lamp> lamps, ForkJoinPool pool) {
+        super(firstSlot, bvh, Hulls.of(mesh, bvh.order()), lamps);
         this.mesh = mesh;
         order = bvh.order();
         normals = new double[Math.multiplyExact(3, order.length)];
@@ -91,8 +92,9 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    void look(Bvh tree, double dx, double dy, double dz, double originError, double directionError, Scratch scratch) {
-        scratch.line.take(scratch.walk, tree, dx, dy, dz, originError, directionError);
+    void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
+            double originError, double directionError, Scratch scratch) {
+        scratch.line.take(x, y, z, far, dx, dy, dz, originError * tree.scale(), directionError);
     }
 
     @Override
@@ -257,11 +259,10 @@ final class Triangles extends BoundedSurfaces {
         double offset = x * nx + y * ny + z * nz;
         double cosine = dx * nx + dy * ny + dz * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
-        return (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
+        return rays.hit[i] != slot(k) && (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
                 && Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
                 && passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
                         dx, dy, dz, 2 * Rounding.U)
-                && rays.hit[i] != slot(k)
                 && Math.abs(offset) > Rounding.planeOffset(
                         rays.originError[i], Math.abs(x) + Math.abs(y) + Math.abs(z))
                 && isBeforeLamp(shadows.lamp, k, offset);

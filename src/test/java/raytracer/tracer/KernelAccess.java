@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
@@ -22,7 +23,7 @@ public final class KernelAccess {
      */
     public KernelAccess(String shapes, Vector[] origin, Vector[] direction, int[] targets) throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
         surfaces = (BoundedSurfaces) compiler.spheres().or(compiler::triangles).orElseThrow();
         int[] slotOf = new int[compiler.slots().declared().length];
         for (int slot = 0; slot < slotOf.length; slot++) {
@@ -34,7 +35,7 @@ public final class KernelAccess {
         for (int i = 0; i < origin.length; i++) {
             int tile = i / Rays.CAPACITY, ray = i % Rays.CAPACITY;
             if (ray == 0) {
-                tiles[tile] = new Rays(compiler.slots().declared(), java.util.List.of(surfaces));
+                tiles[tile] = new Rays(compiler.slots().declared(), List.of(surfaces));
             }
             load(tiles[tile], ray, origin[i], direction[i]);
             slots[tile][ray] = slotOf[targets[i]];

@@ -133,7 +133,7 @@ class LawsTest {
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
         Bvh none = new Bvh(tree.order(), 500, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
-        Surfaces with = new Spheres(ordered, 0, tree), without = new Spheres(ordered, 0, none);
+        Surfaces with = new Spheres(ordered, 0, tree, List.of()), without = new Spheres(ordered, 0, none, List.of());
         int met = 0;
         for (int i = 0; i < 5000; i++) {
             Vector o = new Vector(coordinate(random, 3), coordinate(random, 3), coordinate(random, 3));

@@ -23,7 +23,7 @@ public final class Probe {
 
     public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
         surfaces = Stream.of(compiler.planes(), compiler.spheres(), compiler.triangles())
                 .flatMap(java.util.Optional::stream).toList();
         slots = compiler.slots();

@@ -73,7 +73,7 @@ class TriangleSieveTest {
             if (!walk.start(bvh, o.x(), o.y(), o.z(), way.x(), way.y(), way.z())) {
                 continue;
             }
-            line.take(walk, bvh, way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
+            line.take(walk.x(), walk.y(), walk.z(), walk.start(), way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
             assertTrue(sieve.lets(line, k), "ray " + i + " at triangle " + k);
             stopped += sieve.lets(line, (k + 1) % COUNT) ? 0 : 1;
         }
@@ -97,7 +97,8 @@ class TriangleSieveTest {
             Vector o = new Vector(corner.x() - 3 * d.x() + off[0], corner.y() - 3 * d.y() + off[1],
                     corner.z() - 3 * d.z() + off[2]);
             if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
-                line.take(walk, bvh, d.x(), d.y(), d.z(), error, Rounding.EYE_DIRECTION);
+                line.take(walk.x(), walk.y(), walk.z(), walk.start(), d.x(), d.y(), d.z(),
+                        error * bvh.scale(), Rounding.EYE_DIRECTION);
                 assertTrue(sieve.lets(line, k), "ray " + i + " at triangle " + k);
             }
         }

@@ -1,0 +1,232 @@
+package raytracer.tracer;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import raytracer.scene.Colour;
+import raytracer.scene.Material;
+import raytracer.scene.Mesh;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+
+@DisplayName("A light buffer")
+class LightBufferTest {
+
+    private static final int COUNT = 500;
+    private static final Vector ORIGIN = new Vector(0, 0, 0);
+
+    private static double coordinate(Random random, double size) {
+        return size * (2 * random.nextDouble() - 1);
+    }
+
+    private static Vector within(Random random, double size) {
+        return new Vector(coordinate(random, size), coordinate(random, size), coordinate(random, size));
+    }
+
+    private static Vector plus(Vector a, double t, Vector b) {
+        return new Vector(a.x() + t * b.x(), a.y() + t * b.y(), a.z() + t * b.z());
+    }
+
+    private static Lamp lamp(boolean directional, Vector v) {
+        return new Lamp(directional, v.x(), v.y(), v.z(), Colour.BLACK);
+    }
+
+    private static Mesh triangles(Random random, Vector middle, double size) {
+        Mesh.Builder mesh = new Mesh.Builder();
+        for (int k = 0; k < COUNT; k++) {
+            Vector place = plus(middle, 1, within(random, 1));
+            for (int corner = 0; corner < 3; corner++) {
+                Vector v = plus(place, 1, within(random, size));
+                mesh.addVertex(v.x(), v.y(), v.z());
+            }
+            mesh.addTriangle(3 * k, 3 * k + 1, 3 * k + 2);
+        }
+        return mesh.build();
+    }
+
+    private static List<Shape.Sphere> spheres(Random random, Vector middle, double size) {
+        return IntStream.range(0, COUNT).mapToObj(k -> new Shape.Sphere(
+                plus(middle, 1, within(random, 1)), size * (.1 + random.nextDouble()), Material.DEFAULT)).toList();
+    }
+
+    private static Bvh tree(Mesh mesh) {
+        return BvhBuilder.build(COUNT, Triangles.bounds(mesh), Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
+    }
+
+    private static Bvh tree(List<Shape.Sphere> spheres) {
+        return BvhBuilder.build(COUNT, Spheres.bounds(spheres), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
+    }
+
+    private static List<Shape.Sphere> inOrder(Bvh bvh, List<Shape.Sphere> spheres) {
+        return Arrays.stream(bvh.order()).mapToObj(spheres::get).toList();
+    }
+
+    /** Points behind things, as the lamp sees them, are looked up; returns how many entries were to be tried. */
+    private static long assertHasAllInTheWay(Bvh bvh, Hulls hulls, Lamp lamp, Random random) {
+        LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, lamp);
+        LightBuffer.Cell cell = new LightBuffer.Cell();
+        Vector light = new Vector(lamp.x(), lamp.y(), lamp.z());
+        double[] hull = new double[Hulls.SIZE];
+        long entries = 0;
+        for (int i = 0; i < 20_000; i++) {
+            int k = bvh.beside() + random.nextInt(COUNT - bvh.beside());
+            hulls.of(k, hull);
+            Vector q = pointOf(hull, random);
+            Vector way = lamp.directional() ? light.times(-1) : q.minus(light);
+            if (way.isZero()) {
+                continue;
+            }
+            double beyond = random.nextInt(3) == 0 ? 1e-9 : random.nextDouble() * random.nextInt(4);
+            Vector o = plus(q, beyond, way);
+            buffer.find(o.x(), o.y(), o.z(), cell);
+            assertTrue(IntStream.range(cell.first, cell.end)
+                    .anyMatch(entry -> buffer.thing(entry) == k && buffer.isNearer(entry, cell)), "point " + i);
+            entries += IntStream.range(cell.first, cell.end).filter(entry -> buffer.isNearer(entry, cell)).count();
+        }
+        return entries / 20_000;
+    }
+
+    /** A point of a hull: inside, or often on an edge or in a corner; on or in a sphere around that. */
+    private static Vector pointOf(double[] hull, Random random) {
+        double u = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextDouble();
+        double v = u == 1 ? 0 : random.nextInt(3) == 0 ? 0 : (1 - u) * random.nextDouble();
+        Vector a = new Vector(hull[0], hull[1], hull[2]), b = new Vector(hull[3], hull[4], hull[5]);
+        Vector flat = plus(plus(a, u, b.minus(a)), v, new Vector(hull[6], hull[7], hull[8]).minus(a));
+        Vector outwards = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+        return plus(flat, hull[Hulls.RADIUS] * (random.nextBoolean() ? 1 : random.nextDouble()), outwards);
+    }
+
+    @ParameterizedTest(name = "has what is in a ray''s way: world offset {0}, things of {1}, lamp {2} away")
+    @CsvSource({"0, .05, 3", "0, .12, 3", "1e6, .05, 3", "-1e9, .1, 2", "0, .05, 1e5", "0, 1e-7, 3", "0, 1e-12, 3",
+        "0, .05, .9", "0, .05, 0", "0, .001, .5"})
+    void hasWhatIsInTheWay(double offset, double size, double away) {
+        Random random = new Random(1);
+        Vector middle = new Vector(offset, -offset, offset / 2);
+        for (int round = 0; round < 3; round++) {
+            Mesh mesh = triangles(random, middle, size);
+            List<Shape.Sphere> balls = spheres(random, middle, size);
+            Bvh flat = tree(mesh), curved = tree(balls);
+            for (int kind = 0; kind < 3; kind++) {
+                Vector towards = kind == 2 ? within(random, 1).unit() : plus(middle, away, within(random, 1).unit());
+                Lamp lamp = lamp(kind == 2, towards);
+                long tried = assertHasAllInTheWay(flat, Hulls.of(mesh, flat.order()), lamp, random)
+                        + assertHasAllInTheWay(curved, Hulls.of(inOrder(curved, balls)), lamp, random);
+                assertTrue(tried < COUNT / 5, tried + " of " + 2 * COUNT + " things tried");
+            }
+        }
+    }
+
+    @Test
+    void hasWhatIsInTheWayToALampOnAThing() {
+        Random random = new Random(2);
+        Mesh mesh = triangles(random, ORIGIN, .2);
+        Bvh bvh = tree(mesh);
+        Vector a = mesh.corner(7, 0), b = mesh.corner(7, 1), c = mesh.corner(7, 2);
+        for (Vector on : List.of(a, plus(a, .5, b.minus(a)), plus(plus(a, .25, b.minus(a)), .25, c.minus(a)))) {
+            assertHasAllInTheWay(bvh, Hulls.of(mesh, bvh.order()), lamp(false, on), random);
+        }
+    }
+
+    @Test
+    void hasWhatIsInTheWayAlongTheAxes() {
+        Random random = new Random(3);
+        List<Shape.Sphere> spheres = spheres(random, ORIGIN, .1);
+        Bvh bvh = tree(spheres);
+        for (Vector axis : List.of(new Vector(1, 0, 0), new Vector(-1, 0, 0), new Vector(0, -1, 0),
+                new Vector(0, 0, 1), new Vector(1, 1, 0).unit(), new Vector(1, -1, 1).unit())) {
+            for (boolean directional : new boolean[] {false, true}) {
+                assertHasAllInTheWay(bvh, Hulls.of(inOrder(bvh, spheres)),
+                        lamp(directional, directional ? axis : axis.times(4)), random);
+            }
+        }
+    }
+
+    @Test
+    void isNotBuiltIfThingsAreTooLargeForCellsOrTheLampIsTooFarAway() {
+        Random random = new Random(4);
+        List<Shape.Sphere> large = spheres(random, ORIGIN, .7);
+        Bvh bvh = tree(large);
+        assertNull(LightBufferBuilder.build(bvh, Hulls.of(inOrder(bvh, large)), lamp(false, new Vector(0, 2, 0))));
+        List<Shape.Sphere> small = spheres(random, ORIGIN, .05);
+        Bvh other = tree(small);
+        assertNull(LightBufferBuilder.build(other, Hulls.of(inOrder(other, small)), lamp(false, new Vector(0, 3e6, 0))));
+        assertNotNull(LightBufferBuilder.build(other, Hulls.of(inOrder(other, small)), lamp(false, new Vector(0, 3, 0))));
+    }
+
+    @Test
+    void isBuiltOnceWalksHaveTakenAsLong() {
+        List<Shape.Sphere> spheres = spheres(new Random(5), ORIGIN, .05);
+        Bvh bvh = tree(spheres);
+        Lamp lamp = lamp(false, new Vector(0, 3, 0));
+        LazyLightBuffer lazy = LazyLightBuffer.of(List.of(lamp), bvh, Hulls.of(inOrder(bvh, spheres))).get(lamp);
+        for (int walks = 0; walks < 240_000; walks += 240) {
+            assertNull(lazy.insteadOfWalks(240));
+        }
+        LightBuffer built = lazy.insteadOfWalks(10_000);
+        assertNotNull(built);
+        assertEquals(built, lazy.insteadOfWalks(1));
+        List<Lamp> many = IntStream.range(0, 3000).mapToObj(i -> lamp(false, new Vector(i, 3, 0))).toList();
+        assertTrue(LazyLightBuffer.of(many, bvh, Hulls.of(spheres)).isEmpty(), "as all would take too much memory");
+    }
+
+    @ParameterizedTest(name = "blocks the same rays as the tree, from the moment that it is built: directional {0}")
+    @CsvSource({"false", "true"})
+    void blocksTheSameRaysAsTheTree(boolean directional) {
+        Random random = new Random(6);
+        Lamp lamp = lamp(directional, directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3));
+        List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
+        Bvh curved = tree(spheres);
+        Mesh mesh = triangles(random, ORIGIN, .1);
+        Bvh flat = tree(mesh);
+        List<Surfaces> with = new ArrayList<>(), without = new ArrayList<>();
+        for (List<Surfaces> surfaces : List.of(with, without)) {
+            List<Lamp> lamps = surfaces == with ? List.of(lamp) : List.of();
+            surfaces.add(new Spheres(inOrder(curved, spheres), 0, curved, lamps));
+            surfaces.add(new Triangles(mesh, COUNT, flat, lamps, ForkJoinPool.commonPool()));
+        }
+        int blocked = 0;
+        Scratch scratch = new Scratch();
+        // Two in three of these are looked up.
+        for (int tile = 0; tile < 3000; tile++) {
+            Rays rays = start(random, with);
+            ShadowRays a = blocked(rays, with.get(tile % 2), lamp, scratch);
+            ShadowRays b = blocked(rays, without.get(tile % 2), lamp, scratch);
+            assertTrue(Arrays.equals(a.open, b.open), "tile " + tile);
+            blocked += IntStream.range(0, Rays.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
+        }
+        assertTrue(blocked > 50_000 && blocked < 2900 * Rays.CAPACITY, blocked + " blocked");
+    }
+
+    /** Rays that have arrived all over the place. */
+    private static Rays start(Random random, List<Surfaces> surfaces) {
+        Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
+        rays.count = Rays.CAPACITY;
+        for (int i = 0; i < Rays.CAPACITY; i++) {
+            rays.ox[i] = coordinate(random, 1.5);
+            rays.oy[i] = coordinate(random, 1.5);
+            rays.oz[i] = coordinate(random, 1.5);
+            rays.hit[i] = Rays.NONE;
+        }
+        return rays;
+    }
+
+    private static ShadowRays blocked(Rays rays, Surfaces surfaces, Lamp lamp, Scratch scratch) {
+        ShadowRays shadows = new ShadowRays(rays);
+        shadows.aim(lamp, 0, Rays.CAPACITY);
+        Arrays.fill(shadows.open, true);
+        surfaces.block(rays, shadows, 0, Rays.CAPACITY, scratch);
+        return shadows;
+    }
+}
