@@ -139,6 +139,7 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         LazyLightBuffer lazy = lightBuffers.get(shadows.lamp);
         LightBuffer buffer = lazy == null ? null : lazy.insteadOfWalks(end - first);
         if (buffer != null && buffer.reaches(rays, first, end)) {
+            Pass.run((from, to) -> buffer.find(rays, from, to, scratch.cells), first, end);
             Pass.run((from, to) -> lookUpBlockers(buffer, rays, shadows, from, to, scratch), first, end);
             return;
         }
@@ -188,23 +189,21 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     private void lookUpBlockers(LightBuffer buffer, Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
-        LightBuffer.Cell cell = scratch.cell;
+        LightBuffer.Cells cells = scratch.cells;
         for (int i = from; i < to; i++) {
-            if (shadows.open[i]) {
-                buffer.find(rays.ox[i], rays.oy[i], rays.oz[i], cell);
-                if (cell.first < cell.end) {
-                    look(bvh, cell.x, cell.y, cell.z, Math.abs(cell.x) + Math.abs(cell.y) + Math.abs(cell.z),
-                            shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
-                    shadows.open[i] = !anyBlocks(buffer, rays, shadows, i, scratch);
-                }
+            if (shadows.open[i] && cells.first[i] < cells.end[i]) {
+                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
+                look(bvh, x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z),
+                        shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
+                shadows.open[i] = !anyBlocks(buffer, rays, shadows, i, scratch);
             }
         }
     }
 
     private boolean anyBlocks(LightBuffer buffer, Rays rays, ShadowRays shadows, int ray, Scratch scratch) {
-        LightBuffer.Cell cell = scratch.cell;
-        for (int entry = cell.first; entry < cell.end; entry++) {
-            if (buffer.isNearer(entry, cell)) {
+        LightBuffer.Cells cells = scratch.cells;
+        for (int entry = cells.first[ray]; entry < cells.end[ray]; entry++) {
+            if (buffer.isNearer(entry, ray, cells)) {
                 int k = buffer.thing(entry);
                 if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
                     return true;

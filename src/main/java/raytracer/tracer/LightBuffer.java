@@ -20,11 +20,10 @@ final class LightBuffer {
     /** By cell, where its entries begin; they end where the next one's begin. */
     private final int[] start;
 
-    // By entry: the thing, in the tree's order, and the least depth of any of its points.
-    private final int[] thing;
-    private final float[] nearest;
+    /** Things, in the tree's order, each below the bits of the least depth of any of its points. */
+    private final long[] entries;
 
-    LightBuffer(Bvh bvh, double[] lamp, Face[] faces, int[] start, int[] thing, float[] nearest) {
+    LightBuffer(Bvh bvh, double[] lamp, Face[] faces, int[] start, long[] entries) {
         this.bvh = bvh;
         lampX = lamp[0];
         lampY = lamp[1];
@@ -32,18 +31,18 @@ final class LightBuffer {
         this.faces = faces;
         directional = faces.length == 1;
         this.start = start;
-        this.thing = thing;
-        this.nearest = nearest;
+        this.entries = entries;
     }
 
-    /** Where a shadow ray starts, in the tree's space, and the entries of the cell there. Serves ray after ray. */
-    static final class Cell {
-        double x;
-        double y;
-        double z;
-        private double depth;
-        int first;
-        int end;
+    /** By ray: where it starts, in the tree's space and as the lamp sees it, and the entries of the cell there. */
+    static final class Cells {
+        final double[] x = new double[Rays.CAPACITY];
+        final double[] y = new double[Rays.CAPACITY];
+        final double[] z = new double[Rays.CAPACITY];
+        private final double[] depth = new double[Rays.CAPACITY];
+        final int[] first = new int[Rays.CAPACITY];
+        final int[] end = new int[Rays.CAPACITY];
+        private long touched;
     }
 
     /** Whether all rays, from one index to another, start near enough to be looked up. */
@@ -57,25 +56,48 @@ final class LightBuffer {
         return farthest * bvh.scale() < Beam.FARTHEST;
     }
 
-    /** Finds the cell in which the lamp sees the point where a ray starts. */
-    void find(double worldX, double worldY, double worldZ, Cell cell) {
-        cell.x = (worldX - bvh.centreX()) * bvh.scale();
-        cell.y = (worldY - bvh.centreY()) * bvh.scale();
-        cell.z = (worldZ - bvh.centreZ()) * bvh.scale();
-        double x = cell.x - lampX, y = cell.y - lampY, z = cell.z - lampZ;
-        Face face = faces[directional ? 0 : Face.number(x, y, z)];
-        cell.depth = face.depth(x, y, z);
-        int at = face.cell(x, y, z);
-        cell.first = at < 0 ? 0 : start[at];
-        cell.end = at < 0 ? 0 : start[at + 1];
+    /** Finds the cells in which the lamp sees the points where rays start. */
+    void find(Rays rays, int from, int to, Cells cells) {
+        for (int i = from; i < to; i++) {
+            find(rays.ox[i], rays.oy[i], rays.oz[i], i, cells);
+        }
+        touch(cells, from, to);
     }
 
-    /** Whether part of an entry's thing may be nearer to the lamp than the point that was looked up. */
-    boolean isNearer(int entry, Cell cell) {
-        return nearest[entry] <= cell.depth;
+    /** Loads each cell's first entry, for nothing but that the processor waits for many of them at the same time. */
+    private void touch(Cells cells, int from, int to) {
+        long sum = 0;
+        for (int i = from; i < to; i++) {
+            sum += entries[cells.first[i]];
+        }
+        cells.touched = sum;
+    }
+
+    private void find(double worldX, double worldY, double worldZ, int ray, Cells cells) {
+        double treeX = (worldX - bvh.centreX()) * bvh.scale();
+        double treeY = (worldY - bvh.centreY()) * bvh.scale();
+        double treeZ = (worldZ - bvh.centreZ()) * bvh.scale();
+        cells.x[ray] = treeX;
+        cells.y[ray] = treeY;
+        cells.z[ray] = treeZ;
+        double x = treeX - lampX, y = treeY - lampY, z = treeZ - lampZ;
+        Face face = faces[directional ? 0 : Face.number(x, y, z)];
+        cells.depth[ray] = face.depth(x, y, z);
+        int at = face.cell(x, y, z);
+        cells.first[ray] = at < 0 ? 0 : start[at];
+        cells.end[ray] = at < 0 ? 0 : start[at + 1];
+    }
+
+    /** Whether part of an entry's thing may be nearer to the lamp than where a ray starts. */
+    boolean isNearer(int entry, int ray, Cells cells) {
+        return Float.intBitsToFloat((int) (entries[entry] >>> 32)) <= cells.depth[ray];
     }
 
     int thing(int entry) {
-        return thing[entry];
+        return (int) entries[entry];
+    }
+
+    static long entry(int thing, float nearest) {
+        return (long) Float.floatToRawIntBits(nearest) << 32 | thing;
     }
 }

@@ -20,8 +20,7 @@ final class LightBufferBuilder {
     /** By cell: how many things are there; then where the next entry goes. */
     private int[] next;
     private long entries;
-    private int[] thing;
-    private float[] nearest;
+    private long[] sorted;
 
     private LightBufferBuilder(Bvh bvh, Hulls hulls, double[] lamp, Face[] faces) {
         this.bvh = bvh;
@@ -67,10 +66,9 @@ final class LightBufferBuilder {
             return null;
         }
         int[] start = sumUp();
-        thing = new int[start[cells]];
-        nearest = new float[start[cells]];
+        sorted = new long[start[cells] + 1];
         look(this::sortIn);
-        return new LightBuffer(bvh, lamp, faces, start, thing, nearest);
+        return new LightBuffer(bvh, lamp, faces, start, sorted);
     }
 
     private long mostEntries() {
@@ -138,9 +136,7 @@ final class LightBufferBuilder {
         for (int row = outline.firstRow(face); row <= lastRow; row++) {
             int last = face.cell(outline.lastColumn(face, row), row);
             for (int cell = face.cell(outline.firstColumn(face, row), row); cell <= last; cell++) {
-                int entry = next[cell]++;
-                thing[entry] = k;
-                nearest[entry] = depth;
+                sorted[next[cell]++] = LightBuffer.entry(k, depth);
             }
         }
     }

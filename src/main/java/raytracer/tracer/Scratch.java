@@ -10,7 +10,7 @@ final class Scratch {
     final EntryPoints entryPoints = new EntryPoints();
     final TriangleSieve.Line line = new TriangleSieve.Line();
     final Beam beam = new Beam();
-    final LightBuffer.Cell cell = new LightBuffer.Cell();
+    final LightBuffer.Cells cells = new LightBuffer.Cells();
 
     /** Made when the first ray meets a sphere. */
     SphereArrival sphereArrival;

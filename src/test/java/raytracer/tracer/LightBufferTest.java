@@ -1,6 +1,7 @@
 package raytracer.tracer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -76,7 +77,8 @@ class LightBufferTest {
     /** Points behind things, as the lamp sees them, are looked up; returns how many entries were to be tried. */
     private static long assertHasAllInTheWay(Bvh bvh, Hulls hulls, Lamp lamp, Random random) {
         LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, lamp);
-        LightBuffer.Cell cell = new LightBuffer.Cell();
+        LightBuffer.Cells cells = new LightBuffer.Cells();
+        Rays rays = new Rays(new int[0], List.of());
         Vector light = new Vector(lamp.x(), lamp.y(), lamp.z());
         double[] hull = new double[Hulls.SIZE];
         long entries = 0;
@@ -90,10 +92,15 @@ class LightBufferTest {
             }
             double beyond = random.nextInt(3) == 0 ? 1e-9 : random.nextDouble() * random.nextInt(4);
             Vector o = plus(q, beyond, way);
-            buffer.find(o.x(), o.y(), o.z(), cell);
-            assertTrue(IntStream.range(cell.first, cell.end)
-                    .anyMatch(entry -> buffer.thing(entry) == k && buffer.isNearer(entry, cell)), "point " + i);
-            entries += IntStream.range(cell.first, cell.end).filter(entry -> buffer.isNearer(entry, cell)).count();
+            rays.ox[0] = o.x();
+            rays.oy[0] = o.y();
+            rays.oz[0] = o.z();
+            assertTrue(buffer.reaches(rays, 0, 1), "point " + i);
+            buffer.find(rays, 0, 1, cells);
+            int[] nearer = IntStream.range(cells.first[0], cells.end[0])
+                    .filter(entry -> buffer.isNearer(entry, 0, cells)).map(buffer::thing).toArray();
+            assertTrue(Arrays.stream(nearer).anyMatch(thing -> thing == k), "point " + i);
+            entries += nearer.length;
         }
         return entries / 20_000;
     }
@@ -163,6 +170,18 @@ class LightBufferTest {
         Bvh other = tree(small);
         assertNull(LightBufferBuilder.build(other, Hulls.of(inOrder(other, small)), lamp(false, new Vector(0, 3e6, 0))));
         assertNotNull(LightBufferBuilder.build(other, Hulls.of(inOrder(other, small)), lamp(false, new Vector(0, 3, 0))));
+    }
+
+    @Test
+    void isNotUsedByRaysThatStartFartherAwayThanDoublesReach() {
+        List<Shape.Sphere> spheres = spheres(new Random(7), ORIGIN, .05);
+        Bvh bvh = tree(spheres);
+        LightBuffer buffer = LightBufferBuilder.build(
+                bvh, Hulls.of(inOrder(bvh, spheres)), lamp(false, new Vector(0, 3, 0)));
+        Rays rays = new Rays(new int[0], List.of());
+        rays.oy[1] = -3e6;
+        assertTrue(buffer.reaches(rays, 0, 1));
+        assertFalse(buffer.reaches(rays, 0, 2));
     }
 
     @Test
