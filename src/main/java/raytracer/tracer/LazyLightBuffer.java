@@ -13,7 +13,10 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 final class LazyLightBuffer {
 
-    /** It takes as long to build as so many walks for each thing: cold code mostly, as it runs but once. */
+    /**
+     * It takes as long to build as so many walks for each thing: 0.4 us a thing, but for the most part 3 as the code is
+     * cold; a walk that is spared, 0.25 us.
+     */
     private static final int WALKS = 4;
 
     /** Fewer walks in all do not pay for the code that builds it. */

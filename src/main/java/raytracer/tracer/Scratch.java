@@ -1,8 +1,8 @@
 package raytracer.tracer;
 
 /**
- * What one thread needs to find surfaces for its {@link Rays}: a walk and where it begins, a beam, and by ray numbers
- * in between.
+ * What one thread needs to find surfaces for its {@link Rays}: a walk and where it begins, a beam, cells of a light
+ * buffer, and by ray numbers in between.
  */
 final class Scratch {
 
