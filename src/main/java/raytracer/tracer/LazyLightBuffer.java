@@ -13,17 +13,14 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 final class LazyLightBuffer {
 
-    /**
-     * It takes as long to build as so many walks for each thing: 0.4 us a thing, but for the most part 3 as the code is
-     * cold; a walk that is spared, 0.25 us.
-     */
-    private static final int WALKS = 4;
+    /** It takes as long to build as so many walks for each thing: 0.4 us; a walk that is spared takes 0.25 us. */
+    private static final int WALKS = 2;
 
-    /** Fewer walks in all do not pay for the code that builds it. */
-    private static final int FEWEST_WALKS = 250_000;
+    /** And as so many more because the code that builds it is cold. */
+    private static final int COLD_WALKS = 250_000;
 
-    /** The most things times lamps: more would take more than some 100 MB. */
-    private static final long MOST_THINGS = 1 << 20;
+    /** The most things times lamps: more would take more than some 200 MB. */
+    private static final long MOST_THINGS = 1 << 21;
 
     private final Bvh bvh;
     private final Hulls hulls;
@@ -36,7 +33,7 @@ final class LazyLightBuffer {
         this.bvh = bvh;
         this.hulls = hulls;
         this.lamp = lamp;
-        due = Math.max(FEWEST_WALKS, WALKS * (long) bvh.order().length);
+        due = COLD_WALKS + WALKS * (long) bvh.order().length;
     }
 
     /** By lamp, which are told apart as objects; of none if there is not the memory for it. */

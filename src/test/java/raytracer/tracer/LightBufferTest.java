@@ -193,10 +193,10 @@ class LightBufferTest {
         for (int walks = 0; walks < 240_000; walks += 240) {
             assertNull(lazy.insteadOfWalks(240));
         }
-        LightBuffer built = lazy.insteadOfWalks(10_000);
+        LightBuffer built = lazy.insteadOfWalks(12_000);
         assertNotNull(built);
         assertEquals(built, lazy.insteadOfWalks(1));
-        List<Lamp> many = IntStream.range(0, 3000).mapToObj(i -> lamp(false, new Vector(i, 3, 0))).toList();
+        List<Lamp> many = IntStream.range(0, 5000).mapToObj(i -> lamp(false, new Vector(i, 3, 0))).toList();
         assertTrue(LazyLightBuffer.of(many, bvh, Hulls.of(spheres)).isEmpty(), "as all would take too much memory");
     }
 
