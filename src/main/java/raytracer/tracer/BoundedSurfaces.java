@@ -28,7 +28,7 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     /**
      * Looks along a ray through (x, y, z) in the tree's space, for {@link #isInSight}.
      *
-     * @param far bounds how much |x| + |y| + |z| of the ray's origin is beyond what it is of points in the cube
+     * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
      */
     abstract void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
             double originError, double directionError, Scratch scratch);

@@ -9,8 +9,6 @@ final class Face {
 
     /** Which coordinate is the depth; u and v are of the next and of the one after. */
     private final int axis;
-    private final int axisU;
-    private final int axisV;
 
     /** 1 if depths grow with the coordinate, -1 if they fall. */
     private final double sign;
@@ -34,8 +32,6 @@ final class Face {
 
     private Face(int axis, double sign, boolean parallel, double slopeU, double slopeV) {
         this.axis = axis;
-        axisU = (axis + 1) % 3;
-        axisV = (axis + 2) % 3;
         this.sign = sign;
         this.parallel = parallel;
         this.slopeU = slopeU;
@@ -68,18 +64,22 @@ final class Face {
         return parallel;
     }
 
-    // Of a point among coordinates, three each: its depth, and u and v, but for the division by the depth.
-
-    double depth(double[] coordinates, int at) {
-        return sign * coordinates[at + axis];
+    private double along(double x, double y, double z) {
+        return axis == 0 ? x : axis == 1 ? y : z;
     }
 
-    double across(double[] coordinates, int at) {
-        return coordinates[at + axisU] - slopeU * coordinates[at + axis];
+    // Of a point as seen from the lamp: its depth, and u and v but for the division by the depth.
+
+    double depth(double x, double y, double z) {
+        return sign * along(x, y, z);
     }
 
-    double down(double[] coordinates, int at) {
-        return coordinates[at + axisV] - slopeV * coordinates[at + axis];
+    double across(double x, double y, double z) {
+        return along(y, z, x) - slopeU * along(x, y, z);
+    }
+
+    double down(double x, double y, double z) {
+        return along(z, x, y) - slopeV * along(x, y, z);
     }
 
     /** How far u moves, at most, with a point that moves by 1. */
@@ -137,22 +137,13 @@ final class Face {
 
     /** The cell in which a point is seen; negative if it is seen in none. */
     int cell(double x, double y, double z) {
-        double along = axis == 0 ? x : axis == 1 ? y : z;
-        double u = axis == 0 ? y : axis == 1 ? z : x, v = axis == 0 ? z : axis == 1 ? x : y;
-        if (parallel) {
-            u -= slopeU * along;
-            v -= slopeV * along;
-        } else {
-            double reciprocal = sign / along;
+        double u = across(x, y, z), v = down(x, y, z);
+        if (!parallel) {
+            double reciprocal = 1 / depth(x, y, z);
             u *= reciprocal;
             v *= reciprocal;
         }
         double column = (u - leastU) * cellsPerUnit, row = (v - leastV) * cellsPerUnit;
         return column >= 0 && column < columns && row >= 0 && row < rows ? cell((int) column, (int) row) : -1;
-    }
-
-    /** How far a point is along the axis. */
-    double depth(double x, double y, double z) {
-        return sign * (axis == 0 ? x : axis == 1 ? y : z);
     }
 }

@@ -19,7 +19,7 @@ final class LazyLightBuffer {
     /** And as so many more because the code that builds it is cold. */
     private static final int COLD_WALKS = 250_000;
 
-    /** The most things times lamps: more would take more than some 200 MB. */
+    /** The most things times lamps: more could take more than 300 MB, though 100 are usual. */
     private static final long MOST_THINGS = 1 << 21;
 
     private final Bvh bvh;

@@ -38,7 +38,8 @@ final class LightBufferBuilder {
      */
     static LightBuffer build(Bvh bvh, Hulls hulls, Lamp of) {
         if (of.directional()) {
-            return new LightBufferBuilder(bvh, hulls, new double[3], new Face[] {Face.of(of.x(), of.y(), of.z())}).build();
+            Face[] faces = {Face.of(of.x(), of.y(), of.z())};
+            return new LightBufferBuilder(bvh, hulls, new double[3], faces).build();
         }
         double[] lamp = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
             (of.z() - bvh.centreZ()) * bvh.scale()};

@@ -44,9 +44,10 @@ final class Outline {
     boolean isSeenOn(Face face) {
         double radius = hull[Hulls.RADIUS];
         for (int corner = 0; corner < 3; corner++) {
-            depth[corner] = face.depth(hull, 3 * corner);
-            u[corner] = face.across(hull, 3 * corner);
-            v[corner] = face.down(hull, 3 * corner);
+            double x = hull[3 * corner], y = hull[3 * corner + 1], z = hull[3 * corner + 2];
+            depth[corner] = face.depth(x, y, z);
+            u[corner] = face.across(x, y, z);
+            v[corner] = face.down(x, y, z);
         }
         nearest = least(depth) - radius;
         if (face.isParallel()) {
@@ -70,7 +71,8 @@ final class Outline {
             u[corner] /= depth[corner];
             v[corner] /= depth[corner];
         }
-        // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than r sqrt(1 + u^2) / (w - r).
+        // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than
+        // r sqrt(1 + u^2) / (w - r).
         double perRoot = radius / nearest;
         span(perRoot * root(u), perRoot * root(v));
         leastU = Math.max(-1, leastU);

@@ -110,7 +110,7 @@ final class TriangleSieve {
         /**
          * Takes the line of a ray through (x, y, z) in tree space.
          *
-         * @param far bounds how far |x| + |y| + |z| of the ray's origin is beyond 4
+         * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
          * @param originError of each coordinate, in tree space
          */
         void take(double x, double y, double z, double far, double dx, double dy, double dz,
@@ -124,7 +124,7 @@ final class TriangleSieve {
             // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
             double reach = 2 * (far + 4);
             // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side
-            // for edges up to twice as long as the bound here); and the walk has moved the origin, by which a side is
+            // for edges up to twice as long as the bound here); and a walk moves the origin, by which a side is
             // off by less than another two such bounds.
             tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, reach, 1));
         }
