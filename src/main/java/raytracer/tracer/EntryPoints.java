@@ -132,9 +132,9 @@ final class EntryPoints {
      * farther from the tree than {@link Beam} allows, errors are far below the boxes' padding.
      */
     private void pass(Vectors from, Vectors d, int first, int end) {
-        toTreeSpace(from.x(), bvh.centreX(), bvh.scale(), origin.x(), first, end);
-        toTreeSpace(from.y(), bvh.centreY(), bvh.scale(), origin.y(), first, end);
-        toTreeSpace(from.z(), bvh.centreZ(), bvh.scale(), origin.z(), first, end);
+        Vectors.toTreeSpace(from.x(), bvh.centreX(), bvh.scale(), 0, origin.x(), first, end);
+        Vectors.toTreeSpace(from.y(), bvh.centreY(), bvh.scale(), 0, origin.y(), first, end);
+        Vectors.toTreeSpace(from.z(), bvh.centreZ(), bvh.scale(), 0, origin.z(), first, end);
         Vectors.cross(origin.y(), origin.z(), d.y(), d.z(), moment.x(), first, end);
         Vectors.cross(origin.z(), origin.x(), d.z(), d.x(), moment.y(), first, end);
         Vectors.cross(origin.x(), origin.y(), d.x(), d.y(), moment.z(), first, end);
@@ -148,12 +148,6 @@ final class EntryPoints {
             limit(slack, moment.y(), d.z(), d.x(), nodes[z], nodes[x], hz, hx, first, end);
             limit(slack, moment.z(), d.x(), d.y(), nodes[x], nodes[y], hx, hy, first, end);
             mark(passed, point, slack, first, end);
-        }
-    }
-
-    private static void toTreeSpace(double[] world, double centre, double scale, double[] out, int first, int end) {
-        for (int i = first; i < end; i++) {
-            out[i] = (world[i] - centre) * scale;
         }
     }
 

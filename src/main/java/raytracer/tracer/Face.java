@@ -9,6 +9,8 @@ final class Face {
 
     /** Which coordinate is the depth; u and v are of the next and of the one after. */
     private final int axis;
+    private final int axisU;
+    private final int axisV;
 
     /** 1 if depths grow with the coordinate, -1 if they fall. */
     private final double sign;
@@ -32,6 +34,8 @@ final class Face {
 
     private Face(int axis, double sign, boolean parallel, double slopeU, double slopeV) {
         this.axis = axis;
+        axisU = (axis + 1) % 3;
+        axisV = (axis + 2) % 3;
         this.sign = sign;
         this.parallel = parallel;
         this.slopeU = slopeU;
@@ -92,12 +96,39 @@ final class Face {
         return Math.sqrt(1 + slopeV * slopeV);
     }
 
-    /** Makes the part with cells larger, so that it holds an outline. */
-    void include(Outline outline) {
-        leastU = Math.min(leastU, outline.leastU());
-        leastV = Math.min(leastV, outline.leastV());
-        greatestU = Math.max(greatestU, outline.greatestU());
-        greatestV = Math.max(greatestV, outline.greatestV());
+    /** Makes the part with cells larger, so that it holds all that is seen of a box, as seen from the lamp. */
+    void include(double[] least, double[] greatest) {
+        if (parallel) {
+            double u0 = slopeU * least[axis], u1 = slopeU * greatest[axis];
+            double v0 = slopeV * least[axis], v1 = slopeV * greatest[axis];
+            include(least[axisU] - Math.max(u0, u1), greatest[axisU] - Math.min(u0, u1),
+                    least[axisV] - Math.max(v0, v1), greatest[axisV] - Math.min(v0, v1));
+            return;
+        }
+        double near = sign > 0 ? least[axis] : -greatest[axis], far = sign > 0 ? greatest[axis] : -least[axis];
+        if (far > 0) {
+            include(Math.max(-1, -most(-least[axisU], near, far)), Math.min(1, most(greatest[axisU], near, far)),
+                    Math.max(-1, -most(-least[axisV], near, far)), Math.min(1, most(greatest[axisV], near, far)));
+        }
+    }
+
+    /** How far on the face something is seen, at most, that is so far across or down, between two depths. */
+    private static double most(double across, double near, double far) {
+        return across <= 0 ? across / far : near > 0 ? across / near : Double.POSITIVE_INFINITY;
+    }
+
+    private void include(double fromU, double toU, double fromV, double toV) {
+        if (fromU <= toU && fromV <= toV) {
+            leastU = Math.min(leastU, fromU);
+            leastV = Math.min(leastV, fromV);
+            greatestU = Math.max(greatestU, toU);
+            greatestV = Math.max(greatestV, toV);
+        }
+    }
+
+    /** Whether the part with cells has anything in common with a box. */
+    boolean overlaps(double fromU, double toU, double fromV, double toV) {
+        return fromU <= greatestU && toU >= leastU && fromV <= greatestV && toV >= leastV;
     }
 
     /** Of the part that is to have cells. */
@@ -126,9 +157,19 @@ final class Face {
         return Math.max(0, Math.min(rows - 1, (int) ((v - leastV) * cellsPerUnit)));
     }
 
-    /** Where a row begins; it ends where the next one begins. */
+    /** Of a cell. */
+    double side() {
+        return side;
+    }
+
+    /** The middle of a column. */
+    double u(int column) {
+        return leastU + (column + .5) * side;
+    }
+
+    /** The middle of a row. */
     double v(int row) {
-        return leastV + row * side;
+        return leastV + (row + .5) * side;
     }
 
     int cell(int column, int row) {

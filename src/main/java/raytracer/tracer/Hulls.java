@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Mesh;
 import raytracer.scene.Shape;
@@ -9,22 +10,29 @@ import raytracer.scene.Vector;
 @FunctionalInterface
 interface Hulls {
 
-    /** Where a hull has its radius: after x, y and z of three corners. */
-    int RADIUS = 9;
+    /** The hulls of some things: corners of triangles, and radii. */
+    record Batch(Vectors a, Vectors b, Vectors c, double[] radius) {
 
-    /** Numbers of one hull. */
-    int SIZE = 10;
+        static final int CAPACITY = Rays.CAPACITY;
 
-    /** Writes the hull of thing k, in world space. */
-    void of(int k, double[] hull);
+        Batch() {
+            this(new Vectors(), new Vectors(), new Vectors(), new double[CAPACITY]);
+        }
+    }
+
+    /** Gets the hulls of things {@code from} to {@code to - 1}, as many as a batch can hold, in world space. */
+    void get(int from, int to, Batch out);
 
     /** The corners coincide in the centre. */
     static Hulls of(List<Shape.Sphere> spheres) {
-        return (k, hull) -> {
-            for (int corner = 0; corner < 3; corner++) {
-                set(hull, corner, spheres.get(k).centre());
+        return (from, to, out) -> {
+            for (int k = from; k < to; k++) {
+                Shape.Sphere sphere = spheres.get(k);
+                set(out.a, k - from, sphere.centre());
+                set(out.b, k - from, sphere.centre());
+                set(out.c, k - from, sphere.centre());
+                out.radius[k - from] = sphere.radius();
             }
-            hull[RADIUS] = spheres.get(k).radius();
         };
     }
 
@@ -34,17 +42,24 @@ interface Hulls {
      * @param order by a triangle's number here: its number in the mesh
      */
     static Hulls of(Mesh mesh, int[] order) {
-        return (k, hull) -> {
-            for (int corner = 0; corner < 3; corner++) {
-                set(hull, corner, mesh.corner(order[k], corner));
-            }
-            hull[RADIUS] = 0;
+        return (from, to, out) -> {
+            getCorners(mesh, order, 0, from, to, out.a);
+            getCorners(mesh, order, 1, from, to, out.b);
+            getCorners(mesh, order, 2, from, to, out.c);
+            Arrays.fill(out.radius, 0, to - from, 0);
         };
     }
 
-    private static void set(double[] hull, int corner, Vector v) {
-        hull[3 * corner] = v.x();
-        hull[3 * corner + 1] = v.y();
-        hull[3 * corner + 2] = v.z();
+    /** Nothing is done with them yet: so the processor waits for many of the mesh's places at the same time. */
+    private static void getCorners(Mesh mesh, int[] order, int corner, int from, int to, Vectors out) {
+        for (int k = from; k < to; k++) {
+            set(out, k - from, mesh.corner(order[k], corner));
+        }
+    }
+
+    private static void set(Vectors out, int i, Vector v) {
+        out.x()[i] = v.x();
+        out.y()[i] = v.y();
+        out.z()[i] = v.z();
     }
 }

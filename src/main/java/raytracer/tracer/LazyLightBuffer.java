@@ -13,8 +13,8 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 final class LazyLightBuffer {
 
-    /** It takes as long to build as so many walks for each thing: 0.4 us; a walk that is spared takes 0.25 us. */
-    private static final int WALKS = 2;
+    /** It takes as long to build as so many walks for each thing: 0.25 us, as much as a walk that is spared. */
+    private static final int WALKS = 1;
 
     /** And as so many more because the code that builds it is cold. */
     private static final int COLD_WALKS = 250_000;

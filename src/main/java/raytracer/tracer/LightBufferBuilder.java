@@ -1,13 +1,19 @@
 package raytracer.tracer;
 
 /**
- * Builds {@link LightBuffer}s. All things are looked at three times: to find which parts of the faces they take up, to
- * count each cell's, and to sort them in.
+ * Builds {@link LightBuffer}s. All things are looked at twice: to count each cell's, and to sort them in. Which parts
+ * of the faces they take up is known from the tree's boxes.
  */
 final class LightBufferBuilder {
 
     /** If things are in more cells than this on average, they are too large for cells to be of use. */
     private static final int MOST_ENTRIES = 16;
+
+    /** And so they are if the boxes around their outlines have more cells than this. */
+    private static final int MOST_TRIED = 64;
+
+    /** How far down the tree the boxes are that show which parts of the faces it takes up: of 4^5 at most. */
+    private static final int LEVELS = 4;
 
     private final Bvh bvh;
     private final Hulls hulls;
@@ -15,10 +21,12 @@ final class LightBufferBuilder {
     private final double[] lamp;
     private final Face[] faces;
     private final int count;
+    private final Hulls.Batch batch = new Hulls.Batch();
     private final Outline outline = new Outline();
 
     /** By cell: how many things are there; then where the next entry goes. */
     private int[] next;
+    private long tried;
     private long entries;
     private long[] sorted;
 
@@ -37,6 +45,9 @@ final class LightBufferBuilder {
      * @return null if that would be no use
      */
     static LightBuffer build(Bvh bvh, Hulls hulls, Lamp of) {
+        if (bvh.root() < 0) {
+            return null;
+        }
         if (of.directional()) {
             Face[] faces = {Face.of(of.x(), of.y(), of.z())};
             return new LightBufferBuilder(bvh, hulls, new double[3], faces).build();
@@ -52,7 +63,7 @@ final class LightBufferBuilder {
     }
 
     private LightBuffer build() {
-        look((k, face) -> face.include(outline));
+        include(bvh.root(), LEVELS);
         double area = 0;
         for (Face face : faces) {
             area += face.area();
@@ -63,7 +74,7 @@ final class LightBufferBuilder {
         }
         next = new int[cells];
         look(this::count);
-        if (entries > mostEntries()) {
+        if (isTooMuch()) {
             return null;
         }
         int[] start = sumUp();
@@ -72,8 +83,37 @@ final class LightBufferBuilder {
         return new LightBuffer(bvh, lamp, faces, start, sorted);
     }
 
-    private long mostEntries() {
-        return Math.min(Integer.MAX_VALUE - 8, MOST_ENTRIES * (long) count);
+    /** Shows the faces a part of the tree, by its boxes so many levels down. */
+    private void include(int node, int levels) {
+        for (int at = node * Bvh.NODE_STRIDE; at < node * Bvh.NODE_STRIDE + Bvh.WIDTH; at++) {
+            // Boxes of no children are as wide as less than nothing.
+            if (bvh.nodes()[at + Bvh.HALF] >= 0) {
+                if (levels > 0 && bvh.child(at) >= 0) {
+                    include(bvh.child(at), levels - 1);
+                } else {
+                    include(at);
+                }
+            }
+        }
+    }
+
+    /** Shows the faces a box, which is at this place among the nodes' numbers. */
+    private void include(int at) {
+        double[] least = new double[3], greatest = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double middle = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE] - lamp[axis];
+            double half = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF] + Bvh.PADDING;
+            least[axis] = middle - half;
+            greatest[axis] = middle + half;
+        }
+        for (Face face : faces) {
+            face.include(least, greatest);
+        }
+    }
+
+    private boolean isTooMuch() {
+        return tried > MOST_TRIED * (long) count
+                || entries > Math.min(Integer.MAX_VALUE - 8, MOST_ENTRIES * (long) count);
     }
 
     /** What is done about thing k, which is seen on a face. */
@@ -82,42 +122,45 @@ final class LightBufferBuilder {
     }
 
     private void look(Sight sight) {
-        for (int k = bvh.beside(); k < bvh.order().length; k++) {
-            look(k, sight);
+        int end = bvh.order().length;
+        for (int from = bvh.beside(); from < end; from += Hulls.Batch.CAPACITY) {
+            int to = Math.min(from + Hulls.Batch.CAPACITY, end);
+            hulls.get(from, to, batch);
+            toTreeSpace(batch.a(), to - from);
+            toTreeSpace(batch.b(), to - from);
+            toTreeSpace(batch.c(), to - from);
+            look(from, to, sight);
         }
     }
 
-    private void look(int k, Sight sight) {
-        double[] hull = outline.hull();
-        hulls.of(k, hull);
-        toTreeSpace(hull);
-        int only = faces.length == 1 ? 0 : outline.onlyFace();
-        int first = Math.max(0, only), last = only < 0 ? faces.length - 1 : only;
-        for (int face = first; face <= last; face++) {
-            if (outline.isSeenOn(faces[face])) {
-                sight.of(k, faces[face]);
+    /** Brings points from world space to the tree's, as seen from the lamp. */
+    private void toTreeSpace(Vectors points, int end) {
+        Vectors.toTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0], points.x(), 0, end);
+        Vectors.toTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1], points.y(), 0, end);
+        Vectors.toTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2], points.z(), 0, end);
+    }
+
+    private void look(int from, int to, Sight sight) {
+        for (int k = from; k < to; k++) {
+            outline.take(batch, k - from, bvh.scale());
+            int only = faces.length == 1 ? 0 : outline.onlyFace();
+            int first = Math.max(0, only), last = only < 0 ? faces.length - 1 : only;
+            for (int face = first; face <= last; face++) {
+                if (outline.isSeenOn(faces[face])) {
+                    sight.of(k, faces[face]);
+                }
             }
         }
-    }
-
-    /** Brings a hull from world space to the tree's, as seen from the lamp. */
-    private void toTreeSpace(double[] hull) {
-        for (int corner = 0; corner < Hulls.RADIUS; corner += 3) {
-            hull[corner] = (hull[corner] - bvh.centreX()) * bvh.scale() - lamp[0];
-            hull[corner + 1] = (hull[corner + 1] - bvh.centreY()) * bvh.scale() - lamp[1];
-            hull[corner + 2] = (hull[corner + 2] - bvh.centreZ()) * bvh.scale() - lamp[2];
-        }
-        hull[Hulls.RADIUS] = hull[Hulls.RADIUS] * bvh.scale() + Bvh.PADDING;
     }
 
     private void count(int k, Face face) {
-        int lastRow = outline.lastRow(face);
-        for (int row = outline.firstRow(face); row <= lastRow && entries <= mostEntries(); row++) {
-            int last = face.cell(outline.lastColumn(face, row), row);
-            for (int cell = face.cell(outline.firstColumn(face, row), row); cell <= last; cell++) {
-                next[cell]++;
-                entries++;
+        tried += outline.cellsAround(face);
+        if (!isTooMuch()) {
+            int found = outline.findCells(face);
+            for (int n = 0; n < found; n++) {
+                next[outline.cell(n)]++;
             }
+            entries += found;
         }
     }
 
@@ -132,13 +175,10 @@ final class LightBufferBuilder {
     }
 
     private void sortIn(int k, Face face) {
-        float depth = Math.nextDown((float) outline.nearest());
-        int lastRow = outline.lastRow(face);
-        for (int row = outline.firstRow(face); row <= lastRow; row++) {
-            int last = face.cell(outline.lastColumn(face, row), row);
-            for (int cell = face.cell(outline.firstColumn(face, row), row); cell <= last; cell++) {
-                sorted[next[cell]++] = LightBuffer.entry(k, depth);
-            }
+        long entry = LightBuffer.entry(k, Math.nextDown((float) outline.nearest()));
+        int found = outline.findCells(face);
+        for (int n = 0; n < found; n++) {
+            sorted[next[outline.cell(n)]++] = entry;
         }
     }
 }

@@ -1,122 +1,133 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /** How a thing is seen on a {@link Face}: a triangle, or a box around something round. Serves thing after thing. */
 final class Outline {
 
-    /** As seen from the lamp. */
-    private final double[] hull = new double[Hulls.SIZE];
-
-    // By corner.
-    private final double[] depth = new double[3];
-    private final double[] u = new double[3];
-    private final double[] v = new double[3];
+    // The triangle, as seen from the lamp.
+    private double ax, ay, az;
+    private double bx, by, bz;
+    private double cx, cy, cz;
+    private double radius;
 
     private double nearest;
-    private double leastU;
-    private double greatestU;
-    private double leastV;
-    private double greatestV;
 
-    // By edge: a u + b v + c is negative outside.
-    private final double[] a = new double[3];
-    private final double[] b = new double[3];
-    private final double[] c = new double[3];
+    // The box around what is seen.
+    private double leastU, greatestU;
+    private double leastV, greatestV;
 
-    /** What is to be seen. */
-    double[] hull() {
-        return hull;
+    // By edge: u e + v f + g is negative outside.
+    private double e0, f0, g0;
+    private double e1, f1, g1;
+    private double e2, f2, g2;
+
+    private int[] cells = new int[64];
+
+    /** Takes one of the hulls, which are in the tree's space and as seen from the lamp but for their radii. */
+    void take(Hulls.Batch hulls, int i, double scale) {
+        ax = hulls.a().x()[i];
+        ay = hulls.a().y()[i];
+        az = hulls.a().z()[i];
+        bx = hulls.b().x()[i];
+        by = hulls.b().y()[i];
+        bz = hulls.b().z()[i];
+        cx = hulls.c().x()[i];
+        cy = hulls.c().y()[i];
+        cz = hulls.c().z()[i];
+        radius = hulls.radius()[i] * scale + Bvh.PADDING;
     }
 
     /** The number of the only face on which it is seen; negative if there may be more. */
     int onlyFace() {
-        int face = Face.number(hull[0], hull[1], hull[2]);
-        int axis = face / 2, axisU = axis == 2 ? 0 : axis + 1, axisV = axis == 0 ? 2 : axis - 1;
-        double room = Double.POSITIVE_INFINITY;
-        for (int corner = 0; corner < Hulls.RADIUS; corner += 3) {
-            double along = face % 2 == 0 ? hull[corner + axis] : -hull[corner + axis];
-            room = Math.min(room,
-                    along - Math.max(Math.abs(hull[corner + axisU]), Math.abs(hull[corner + axisV])));
-        }
-        return room > 2 * hull[Hulls.RADIUS] ? face : -1;
+        int face = Face.number(ax, ay, az);
+        int axis = face / 2;
+        double sign = face % 2 == 0 ? 1 : -1;
+        double room = axis == 0 ? least(room(sign * ax, ay, az), room(sign * bx, by, bz), room(sign * cx, cy, cz))
+                : axis == 1 ? least(room(sign * ay, az, ax), room(sign * by, bz, bx), room(sign * cy, cz, cx))
+                : least(room(sign * az, ax, ay), room(sign * bz, bx, by), room(sign * cz, cx, cy));
+        return room > 2 * radius ? face : -1;
     }
 
-    /** Looks at it on a face; false if it is not seen there. */
+    /** By how much a point's depth is more than it is across. */
+    private static double room(double depth, double across, double down) {
+        return depth - Math.max(Math.abs(across), Math.abs(down));
+    }
+
+    /** Looks at it on a face; false if it is not seen in the part with cells. */
     boolean isSeenOn(Face face) {
-        double radius = hull[Hulls.RADIUS];
-        for (int corner = 0; corner < 3; corner++) {
-            double x = hull[3 * corner], y = hull[3 * corner + 1], z = hull[3 * corner + 2];
-            depth[corner] = face.depth(x, y, z);
-            u[corner] = face.across(x, y, z);
-            v[corner] = face.down(x, y, z);
-        }
-        nearest = least(depth) - radius;
+        double depthA = face.depth(ax, ay, az), ua = face.across(ax, ay, az), va = face.down(ax, ay, az);
+        double depthB = face.depth(bx, by, bz), ub = face.across(bx, by, bz), vb = face.down(bx, by, bz);
+        double depthC = face.depth(cx, cy, cz), uc = face.across(cx, cy, cz), vc = face.down(cx, cy, cz);
+        nearest = least(depthA, depthB, depthC) - radius;
         if (face.isParallel()) {
-            span(radius * face.spreadU(), radius * face.spreadV());
+            span(ua, va, ub, vb, uc, vc, radius * face.spreadU(), radius * face.spreadV());
             return true;
         }
-        if (greatest(depth) + radius < 0 || isOutside(u, radius) || isOutside(v, radius)) {
+        if (greatest(depthA, depthB, depthC) + radius < 0) {
             return false;
         }
         if (nearest <= radius) {
             // Around the lamp, or nearly: it may be anywhere.
-            span(0, 0);
-            leastU = leastV = -1;
-            greatestU = greatestV = 1;
-            for (int edge = 0; edge < 3; edge++) {
-                a[edge] = 0;
-            }
-            return true;
+            span(0, 0, 0, 0, 0, 0, 1, 1);
+            return !isBeside(ua, ub, uc, depthA, depthB, depthC) && !isBeside(va, vb, vc, depthA, depthB, depthC);
         }
-        for (int corner = 0; corner < 3; corner++) {
-            u[corner] /= depth[corner];
-            v[corner] /= depth[corner];
-        }
+        ua /= depthA;
+        va /= depthA;
+        ub /= depthB;
+        vb /= depthB;
+        uc /= depthC;
+        vc /= depthC;
         // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than
         // r sqrt(1 + u^2) / (w - r).
         double perRoot = radius / nearest;
-        span(perRoot * root(u), perRoot * root(v));
-        leastU = Math.max(-1, leastU);
-        leastV = Math.max(-1, leastV);
-        greatestU = Math.min(1, greatestU);
-        greatestV = Math.min(1, greatestV);
-        return leastU <= greatestU && leastV <= greatestV;
+        span(ua, va, ub, vb, uc, vc, perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
+        return face.overlaps(leastU, greatestU, leastV, greatestV);
     }
 
     /** Whether all of it is outside of one of two sides of the pyramid below the face, which stand at 45 degrees. */
-    private boolean isOutside(double[] across, double radius) {
-        double above = Math.min(across[0] - depth[0], Math.min(across[1] - depth[1], across[2] - depth[2]));
-        double below = Math.min(-across[0] - depth[0], Math.min(-across[1] - depth[1], -across[2] - depth[2]));
-        return Math.max(above, below) > 1.5 * radius;
+    private boolean isBeside(double a, double b, double c, double depthA, double depthB, double depthC) {
+        double beyond = Math.max(least(a - depthA, b - depthB, c - depthC),
+                least(-a - depthA, -b - depthB, -c - depthC));
+        return beyond > 1.5 * radius;
     }
 
     /** The root of 1 + the greatest square. */
-    private static double root(double[] across) {
-        double most = Math.max(greatest(across), -least(across));
+    private static double root(double a, double b, double c) {
+        double most = greatest(Math.abs(a), Math.abs(b), Math.abs(c));
         return Math.sqrt(1 + most * most);
     }
 
-    private static double least(double[] three) {
-        return Math.min(three[0], Math.min(three[1], three[2]));
+    private static double least(double a, double b, double c) {
+        return Math.min(a, Math.min(b, c));
     }
 
-    private static double greatest(double[] three) {
-        return Math.max(three[0], Math.max(three[1], three[2]));
+    private static double greatest(double a, double b, double c) {
+        return Math.max(a, Math.max(b, c));
     }
 
     /** Sets the box and the edges around the corners and all that is so far from them. */
-    private void span(double marginU, double marginV) {
-        leastU = least(u) - marginU;
-        greatestU = greatest(u) + marginU;
-        leastV = least(v) - marginV;
-        greatestV = greatest(v) + marginV;
-        double turn = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]) > 0 ? 1 : -1;
-        for (int edge = 0; edge < 3; edge++) {
-            int next = edge == 2 ? 0 : edge + 1;
-            a[edge] = turn * (v[edge] - v[next]);
-            b[edge] = turn * (u[next] - u[edge]);
-            c[edge] = Math.abs(a[edge]) * marginU + Math.abs(b[edge]) * marginV
-                    - (a[edge] * u[edge] + b[edge] * v[edge]);
-        }
+    private void span(double ua, double va, double ub, double vb, double uc, double vc,
+            double marginU, double marginV) {
+        leastU = least(ua, ub, uc) - marginU;
+        greatestU = greatest(ua, ub, uc) + marginU;
+        leastV = least(va, vb, vc) - marginV;
+        greatestV = greatest(va, vb, vc) + marginV;
+        double turn = (ub - ua) * (vc - va) - (uc - ua) * (vb - va) > 0 ? 1 : -1;
+        e0 = turn * (va - vb);
+        f0 = turn * (ub - ua);
+        g0 = margin(e0, f0, marginU, marginV) - (e0 * ua + f0 * va);
+        e1 = turn * (vb - vc);
+        f1 = turn * (uc - ub);
+        g1 = margin(e1, f1, marginU, marginV) - (e1 * ub + f1 * vb);
+        e2 = turn * (vc - va);
+        f2 = turn * (ua - uc);
+        g2 = margin(e2, f2, marginU, marginV) - (e2 * uc + f2 * vc);
+    }
+
+    /** How much more an edge has inside if it is moved out by so much along both axes. */
+    private static double margin(double e, double f, double u, double v) {
+        return Math.abs(e) * u + Math.abs(f) * v;
     }
 
     /** No depth of its points is less. */
@@ -124,55 +135,37 @@ final class Outline {
         return nearest;
     }
 
-    double leastU() {
-        return leastU;
+    /** How many cells there are in the box around it. */
+    long cellsAround(Face face) {
+        return (face.column(greatestU) - face.column(leastU) + 1L) * (face.row(greatestV) - face.row(leastV) + 1);
     }
 
-    double greatestU() {
-        return greatestU;
-    }
-
-    double leastV() {
-        return leastV;
-    }
-
-    double greatestV() {
-        return greatestV;
-    }
-
-    // In which cells it is seen: rows, and in each of them columns.
-
-    int firstRow(Face face) {
-        return face.row(leastV);
-    }
-
-    int lastRow(Face face) {
-        return face.row(greatestV);
-    }
-
-    int firstColumn(Face face, int row) {
-        double first = leastU;
-        for (int edge = 0; edge < 3; edge++) {
-            if (a[edge] > 0) {
-                first = Math.max(first, end(edge, face, row));
+    /** Finds the {@link #cell}s in which it is seen, those that no edge has all outside; returns how many. */
+    int findCells(Face face) {
+        int firstColumn = face.column(leastU), lastColumn = face.column(greatestU);
+        int firstRow = face.row(leastV), lastRow = face.row(greatestV);
+        if (cells.length < cellsAround(face)) {
+            cells = Arrays.copyOf(cells, (int) (2 * cellsAround(face)));
+        }
+        // From the corner of a cell that is farthest inside an edge to the middle.
+        double half = face.side() / 2;
+        double out0 = g0 + margin(e0, f0, half, half), out1 = g1 + margin(e1, f1, half, half);
+        double out2 = g2 + margin(e2, f2, half, half);
+        int found = 0;
+        for (int row = firstRow; row <= lastRow; row++) {
+            double v = face.v(row);
+            double row0 = f0 * v + out0, row1 = f1 * v + out1, row2 = f2 * v + out2;
+            for (int column = firstColumn; column <= lastColumn; column++) {
+                double u = face.u(column);
+                cells[found] = face.cell(column, row);
+                found += least(e0 * u + row0, e1 * u + row1, e2 * u + row2) >= 0 ? 1 : 0;
             }
         }
-        return face.column(first);
+        return found;
     }
 
-    /** Before the first if there is none. */
-    int lastColumn(Face face, int row) {
-        double last = greatestU;
-        for (int edge = 0; edge < 3; edge++) {
-            if (a[edge] < 0) {
-                last = Math.min(last, end(edge, face, row));
-            }
-        }
-        return face.column(last);
-    }
-
-    /** The u as far as which the inside of an edge reaches within a row. */
-    private double end(int edge, Face face, int row) {
-        return (c[edge] + b[edge] * (b[edge] > 0 ? face.v(row + 1) : face.v(row))) / -a[edge];
+    /** Number n of the cells that were found last. */
+    int cell(int n) {
+        return cells[n];
     }
 }

@@ -13,4 +13,15 @@ record Vectors(double[] x, double[] y, double[] z) {
             out[i] = ay[i] * bz[i] - az[i] * by[i];
         }
     }
+
+    /**
+     * Brings one component of points from world space to a tree's: out = (world - centre) scale - eye.
+     *
+     * @param eye from where the points are seen, in the tree's space
+     */
+    static void toTreeSpace(double[] world, double centre, double scale, double eye, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = (world[i] - centre) * scale - eye;
+        }
+    }
 }

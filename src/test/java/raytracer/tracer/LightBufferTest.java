@@ -63,7 +63,20 @@ class LightBufferTest {
     }
 
     private static Bvh tree(Mesh mesh) {
-        return BvhBuilder.build(COUNT, Triangles.bounds(mesh), Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
+        return tree(mesh, 0);
+    }
+
+    /** Of triangles that are thick. */
+    private static Bvh tree(Mesh mesh, double radius) {
+        Bounds flat = Triangles.bounds(mesh);
+        Bounds thick = (k, box) -> {
+            flat.of(k, box);
+            for (int axis = 0; axis < 3; axis++) {
+                box[axis] -= radius;
+                box[axis + 3] += radius;
+            }
+        };
+        return BvhBuilder.build(COUNT, thick, Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
     }
 
     private static Bvh tree(List<Shape.Sphere> spheres) {
@@ -77,9 +90,9 @@ class LightBufferTest {
     /** Triangles that are thick, so that what is outside of their edges counts as much as a sphere does. */
     private static Hulls rounded(Mesh mesh, Bvh bvh, double radius) {
         Hulls flat = Hulls.of(mesh, bvh.order());
-        return (k, hull) -> {
-            flat.of(k, hull);
-            hull[Hulls.RADIUS] = radius;
+        return (from, to, hulls) -> {
+            flat.get(from, to, hulls);
+            Arrays.fill(hulls.radius(), 0, to - from, radius);
         };
     }
 
@@ -90,11 +103,11 @@ class LightBufferTest {
         LightBuffer.Cells cells = new LightBuffer.Cells();
         Rays rays = new Rays(new int[0], List.of());
         Vector light = new Vector(lamp.x(), lamp.y(), lamp.z());
-        double[] hull = new double[Hulls.SIZE];
+        Hulls.Batch hull = new Hulls.Batch();
         long entries = 0;
         for (int i = 0; i < 20_000; i++) {
             int k = bvh.beside() + random.nextInt(COUNT - bvh.beside());
-            hulls.of(k, hull);
+            hulls.get(k, k + 1, hull);
             Vector q = pointOf(hull, random);
             Vector way = lamp.directional() ? light.times(-1) : q.minus(light);
             if (way.isZero()) {
@@ -116,13 +129,17 @@ class LightBufferTest {
     }
 
     /** A point of a hull: inside, or often on an edge or in a corner; on or in a sphere around that. */
-    private static Vector pointOf(double[] hull, Random random) {
+    private static Vector pointOf(Hulls.Batch hull, Random random) {
         double u = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextDouble();
         double v = u == 1 ? 0 : random.nextInt(3) == 0 ? 0 : (1 - u) * random.nextDouble();
-        Vector a = new Vector(hull[0], hull[1], hull[2]), b = new Vector(hull[3], hull[4], hull[5]);
-        Vector flat = plus(plus(a, u, b.minus(a)), v, new Vector(hull[6], hull[7], hull[8]).minus(a));
+        Vector a = first(hull.a());
+        Vector flat = plus(plus(a, u, first(hull.b()).minus(a)), v, first(hull.c()).minus(a));
         Vector outwards = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
-        return plus(flat, hull[Hulls.RADIUS] * (random.nextBoolean() ? 1 : random.nextDouble()), outwards);
+        return plus(flat, hull.radius()[0] * (random.nextBoolean() ? 1 : random.nextDouble()), outwards);
+    }
+
+    private static Vector first(Vectors vectors) {
+        return new Vector(vectors.x()[0], vectors.y()[0], vectors.z()[0]);
     }
 
     @ParameterizedTest(name = "has what is in a ray''s way: world offset {0}, things of {1}, lamp {2} away")
@@ -134,12 +151,12 @@ class LightBufferTest {
         for (int round = 0; round < 3; round++) {
             Mesh mesh = triangles(random, middle, size);
             List<Shape.Sphere> balls = spheres(random, middle, size);
-            Bvh flat = tree(mesh), curved = tree(balls);
+            Bvh flat = tree(mesh), thick = tree(mesh, size / 8), curved = tree(balls);
             for (int kind = 0; kind < 3; kind++) {
                 Vector towards = kind == 2 ? within(random, 1).unit() : plus(middle, away, within(random, 1).unit());
                 Lamp lamp = lamp(kind == 2, towards);
                 long tried = assertHasAllInTheWay(flat, Hulls.of(mesh, flat.order()), lamp, random)
-                        + assertHasAllInTheWay(flat, rounded(mesh, flat, size / 8), lamp, random)
+                        + assertHasAllInTheWay(thick, rounded(mesh, thick, size / 8), lamp, random)
                         + assertHasAllInTheWay(curved, Hulls.of(inOrder(curved, balls)), lamp, random);
                 assertTrue(tried < 3 * COUNT / 10, tried + " of " + 3 * COUNT + " things tried");
             }
