@@ -202,6 +202,14 @@ class LightBufferTest {
     }
 
     @Test
+    void isNotBuiltOfASingleLeaf() {
+        List<Shape.Sphere> one = List.of(new Shape.Sphere(ORIGIN, 1, Material.DEFAULT));
+        Bvh bvh = BvhBuilder.build(1, Spheres.bounds(one), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
+        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), lamp(false, new Vector(0, 3, 0))));
+        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), lamp(true, new Vector(0, 1, 0))));
+    }
+
+    @Test
     void isNotUsedByRaysThatStartFartherAwayThanDoublesReach() {
         List<Shape.Sphere> spheres = spheres(new Random(7), ORIGIN, .05);
         Bvh bvh = tree(spheres);
