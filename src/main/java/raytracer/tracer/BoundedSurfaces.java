@@ -125,6 +125,12 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         if (bvh.beside() > 0) {
             Pass.run((from, to) -> blockBeside(rays, shadows, from, to, scratch), first, end);
         }
+        LazyLightBuffer lazy = lightBuffers.get(shadows.lamp);
+        if (!rays.leaveEye && lazy != null && lazy.isBuilt()) {
+            // What mirrors show is too scattered for a beam, nearly always.
+            blockEach(rays, shadows, first, end, scratch);
+            return;
+        }
         Beam beam = scratch.beam;
         beam.take(rays, shadows.lamp, first, end);
         if (!beam.gather(bvh)) {

@@ -47,6 +47,10 @@ final class LazyLightBuffer {
         return buffers;
     }
 
+    boolean isBuilt() {
+        return buffer != null;
+    }
+
     /** The buffer, to use instead of so many walks; null if it is not there. */
     LightBuffer insteadOfWalks(int rays) {
         if (buffer == null) {

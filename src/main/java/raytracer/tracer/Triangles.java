@@ -72,6 +72,9 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     void meet(Rays rays, int i, int k) {
+        if (rays.source[i] == slot(k)) {
+            return;
+        }
         double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
         double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
         double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
@@ -81,8 +84,7 @@ final class Triangles extends BoundedSurfaces {
         if (!(t > 0 && t <= rays.reach(i))
                 || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])
                 || !passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
-                        dx, dy, dz, rays.directionError[i])
-                || rays.source[i] == slot(k)) {
+                        dx, dy, dz, rays.directionError[i])) {
             return;
         }
         double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
