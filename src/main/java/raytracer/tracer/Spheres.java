@@ -99,7 +99,11 @@ final class Spheres extends BoundedSurfaces {
 
     @Override
     void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
-        passBy(rays, rays.dx, rays.dy, rays.dz, from, to, k, scratch);
+        if (rays.leaveEye) {
+            passByFromEye(rays, from, to, k, scratch);
+        } else {
+            passBy(rays, rays.dx, rays.dy, rays.dz, from, to, k, scratch);
+        }
         double[] square = scratch.square, along = scratch.along, t = scratch.distance;
         double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
         double power = rays.leaveEye ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from],
@@ -151,12 +155,30 @@ final class Spheres extends BoundedSurfaces {
 
     @Override
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
-        passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
         int lampSide = sideOfLamp(shadows.lamp, k);
+        if (rays.hit[from] == slot(k) && rays.haveMetTheSame(from, to)) {
+            blockInwards(rays, shadows, from, to, k, lampSide, scratch);
+            return;
+        }
+        passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
         int doubtful = closePlain(rays, shadows, from, to, k, lampSide, scratch);
         for (int n = 0; n < doubtful; n++) {
             int i = scratch.doubtful[n];
             shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
+        }
+    }
+
+    /** Closes the ways that go into the sphere on which all start: the others leave it for good. */
+    private void blockInwards(
+            Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
+        double[] along = scratch.along;
+        boolean[] open = shadows.open;
+        Perpendicular.along(rays.ox, rays.oy, rays.oz, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
+                shadows.dx, shadows.dy, shadows.dz, along, from, to);
+        for (int i = from; i < to; i++) {
+            if (along[i] < 0 && open[i]) {
+                open[i] = !blocks(rays, shadows, i, k, lampSide);
+            }
         }
     }
 
@@ -189,30 +211,19 @@ final class Spheres extends BoundedSurfaces {
         return power > Rounding.power(originError, r) + Rounding.passingPower(along * along, r * r);
     }
 
-    /** Computes for all rays r^2 less the square of the perpendicular. */
     private void passBy(Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, int k, Scratch scratch) {
-        along(rays.ox, rays.oy, rays.oz, dx, dy, dz, scratch.along, from, to, k);
-        perpendicular(rays.ox, rays.oy, rays.oz, dx, dy, dz, scratch.along, scratch.square, from, to, k);
-    }
-
-    private void along(double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz,
-            double[] along, int from, int to, int k) {
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2];
-        for (int i = from; i < to; i++) {
-            along[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
-        }
-    }
-
-    private void perpendicular(double[] ox, double[] oy, double[] oz, double[] dx, double[] dy, double[] dz,
-            double[] along, double[] square, int from, int to, int k) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        double rr = r * r;
-        for (int i = from; i < to; i++) {
-            double ex = ox[i] - cx - along[i] * dx[i];
-            double ey = oy[i] - cy - along[i] * dy[i];
-            double ez = oz[i] - cz - along[i] * dz[i];
-            square[i] = rr - (ex * ex + ey * ey + ez * ez);
-        }
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = scratch.along;
+        Perpendicular.along(ox, oy, oz, cx, cy, cz, dx, dy, dz, along, from, to);
+        Perpendicular.inside(ox, oy, oz, cx, cy, cz, r * r, dx, dy, dz, along, scratch.square, from, to);
+    }
+
+    private void passByFromEye(Rays rays, int from, int to, int k, Scratch scratch) {
+        double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
+        double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, along = scratch.along;
+        Perpendicular.along(x, y, z, dx, dy, dz, along, from, to);
+        Perpendicular.inside(x, y, z, r * r, dx, dy, dz, along, scratch.square, from, to);
     }
 
     @Override
