@@ -87,6 +87,21 @@ class ShadingTest {
     }
 
     @Test
+    void isAmbientOnASphereInsideAnotherThatHasTheLightOutside() throws Exception {
+        double[] colours = Pictures.trace("size 16 16\ncamera 0 0 0 0 0 -1 0 1 0 90\nambient .1 .1 .1\ndiffuse 1 1 1\n"
+                + "point 0 20 0 1 1 1\nsphere 0 0 0 10\nsphere 0 0 -5 2\n");
+        int seen = 0;
+        for (int pixel = 0; pixel < 256; pixel++) {
+            // The inner one is seen within 3.49 pixels of the middle, next to the outer one.
+            if (Math.hypot(pixel % 16 - 7.5, pixel / 16 - 7.5) < 3.4) {
+                assertEquals(.1, colours[3 * pixel], "pixel " + pixel);
+                seen++;
+            }
+        }
+        assertEquals(32, seen);
+    }
+
+    @Test
     void gainsNothingFromALightExactlyThere() throws Exception {
         assertMiddle(.25, .25, .25,
                 "ambient .25 .25 .25\ndiffuse 1 1 1\nspecular 1 1 1\nshininess 0\npoint 0 0 0 1 1 1\n" + WALL);
