@@ -126,32 +126,39 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
             Pass.run((from, to) -> blockBeside(rays, shadows, from, to, scratch), first, end);
         }
         LazyLightBuffer lazy = lightBuffers.get(shadows.lamp);
-        if (!rays.leaveEye && lazy != null && lazy.isBuilt()) {
-            // What mirrors show is too scattered for a beam, nearly always.
-            blockEach(rays, shadows, first, end, scratch);
+        // What mirrors show is too scattered for a beam, nearly always.
+        if (!rays.leaveEye && lazy != null && lookUp(lazy.ifBuilt(), rays, shadows, first, end, scratch)) {
             return;
         }
         Beam beam = scratch.beam;
         beam.take(rays, shadows.lamp, first, end);
         if (!beam.gather(bvh)) {
-            blockEach(rays, shadows, first, end, scratch);
+            blockEach(lazy, rays, shadows, first, end, scratch);
         } else if (beam.count() > 0) {
             Pass.run((from, to) -> blockThings(rays, shadows, from, to, scratch), first, end);
         }
     }
 
-    /** Ray by ray. */
-    private void blockEach(Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
-        LazyLightBuffer lazy = lightBuffers.get(shadows.lamp);
-        LightBuffer buffer = lazy == null ? null : lazy.insteadOfWalks(end - first);
-        if (buffer != null && buffer.reaches(rays, first, end)) {
-            Pass.run((from, to) -> buffer.find(rays, from, to, scratch.cells), first, end);
-            Pass.run((from, to) -> lookUpBlockers(buffer, rays, shadows, from, to, scratch), first, end);
+    /** Ray by ray, after the beam of all has given up. */
+    private void blockEach(
+            LazyLightBuffer lazy, Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
+        if (lazy != null && lookUp(lazy.insteadOfWalks(end - first), rays, shadows, first, end, scratch)) {
             return;
         }
         Pass.run((from, to) -> scratch.entryPoints.find(
                 bvh, scratch.beam, rays.origin, shadows.direction, from, to), first, end);
         Pass.run((from, to) -> walkToBlockers(rays, shadows, from, to, scratch), first, end);
+    }
+
+    /** Looks rays up in a light buffer; false if there is none, or they start too far away. */
+    private boolean lookUp(
+            LightBuffer buffer, Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
+        if (buffer == null || !buffer.reaches(rays, first, end)) {
+            return false;
+        }
+        Pass.run((from, to) -> buffer.find(rays, from, to, scratch.cells), first, end);
+        Pass.run((from, to) -> lookUpBlockers(buffer, rays, shadows, from, to, scratch), first, end);
+        return true;
     }
 
     private void blockBeside(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {

@@ -47,8 +47,9 @@ final class LazyLightBuffer {
         return buffers;
     }
 
-    boolean isBuilt() {
-        return buffer != null;
+    /** The buffer; null if it is not there. */
+    LightBuffer ifBuilt() {
+        return buffer;
     }
 
     /** The buffer, to use instead of so many walks; null if it is not there. */

@@ -17,7 +17,7 @@ final class Outline {
     private double leastU, greatestU;
     private double leastV, greatestV;
 
-    // By edge: u e + v f + g is negative outside.
+    // By edge: e u + f v + g is negative outside.
     private double e0, f0, g0;
     private double e1, f1, g1;
     private double e2, f2, g2;
@@ -68,20 +68,23 @@ final class Outline {
             return false;
         }
         if (nearest <= radius) {
+            if (isBeside(ua, ub, uc, depthA, depthB, depthC) || isBeside(va, vb, vc, depthA, depthB, depthC)) {
+                return false;
+            }
             // Around the lamp, or nearly: it may be anywhere.
             span(0, 0, 0, 0, 0, 0, 1, 1);
-            return !isBeside(ua, ub, uc, depthA, depthB, depthC) && !isBeside(va, vb, vc, depthA, depthB, depthC);
+        } else {
+            ua /= depthA;
+            va /= depthA;
+            ub /= depthB;
+            vb /= depthB;
+            uc /= depthC;
+            vc /= depthC;
+            // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than
+            // r sqrt(1 + u^2) / (w - r).
+            double perRoot = radius / nearest;
+            span(ua, va, ub, vb, uc, vc, perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
         }
-        ua /= depthA;
-        va /= depthA;
-        ub /= depthB;
-        vb /= depthB;
-        uc /= depthC;
-        vc /= depthC;
-        // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than
-        // r sqrt(1 + u^2) / (w - r).
-        double perRoot = radius / nearest;
-        span(ua, va, ub, vb, uc, vc, perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
         return face.overlaps(leastU, greatestU, leastV, greatestV);
     }
 

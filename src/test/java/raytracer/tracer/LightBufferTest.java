@@ -265,6 +265,45 @@ class LightBufferTest {
         assertTrue(blocked > 50_000 && blocked < 2900 * Rays.CAPACITY, blocked + " blocked");
     }
 
+    @Test
+    void isNoHindranceToRaysThatStartTooFarAwayForIt() {
+        Random random = new Random(8);
+        List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
+        Bvh bvh = tree(spheres);
+        Vector light = new Vector(0, 3, 0);
+        Lamp lamp = lamp(false, light);
+        Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of(lamp));
+        Spheres without = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of());
+        Scratch scratch = new Scratch();
+        for (int tile = 0; tile < 1100; tile++) {
+            blocked(start(random, List.of(with)), with, lamp, scratch);
+        }
+        int blocked = 0;
+        for (int tile = 0; tile < 50; tile++) {
+            // A beam has looked elsewhere last.
+            Rays near = around(plus(light, 2, within(random, 1).minus(light)), .2, random, List.of(with));
+            near.leaveEye = true;
+            blocked(near, with, lamp, scratch);
+            Rays far = around(plus(light, 3e6, within(random, 1).minus(light)), 1e5, random, List.of(with));
+            ShadowRays a = blocked(far, with, lamp, scratch);
+            ShadowRays b = blocked(far, without, lamp, new Scratch());
+            assertTrue(Arrays.equals(a.open, b.open), "tile " + tile);
+            blocked += IntStream.range(0, Rays.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
+        }
+        assertTrue(blocked > 1000, blocked + " blocked");
+    }
+
+    private static Rays around(Vector middle, double size, Random random, List<Surfaces> surfaces) {
+        Rays rays = start(random, surfaces);
+        for (int i = 0; i < Rays.CAPACITY; i++) {
+            Vector place = plus(middle, 1, within(random, size));
+            rays.ox[i] = place.x();
+            rays.oy[i] = place.y();
+            rays.oz[i] = place.z();
+        }
+        return rays;
+    }
+
     /** Rays that have arrived all over the place. */
     private static Rays start(Random random, List<Surfaces> surfaces) {
         Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
