@@ -40,7 +40,7 @@ final class GridSampler implements Sampler {
     private void renderCentres(int left, int top, int columns, int rows, PixelSink sink) {
         pointAtCentres(left, top, columns, rows);
         tracer.trace(samples);
-        send(left, top, columns, sink);
+        send(left, top, columns, rows, sink);
         samples.count = 0;
     }
 
@@ -52,9 +52,13 @@ final class GridSampler implements Sampler {
         }
     }
 
-    private void send(int left, int top, int columns, PixelSink sink) {
-        for (int i = 0; i < samples.count; i++) {
-            sink.set(left + i % columns, top + i / columns, samples.red[i], samples.green[i], samples.blue[i]);
+    private void send(int left, int top, int columns, int rows, PixelSink sink) {
+        int i = 0;
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                sink.set(left + column, top + row, samples.red[i], samples.green[i], samples.blue[i]);
+                i++;
+            }
         }
     }
 

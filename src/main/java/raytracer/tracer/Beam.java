@@ -27,6 +27,15 @@ final class Beam {
     private double reach;
     private boolean backwards;
 
+    // By axis along which all rays go the same way, in tree space; of the others, which tell nothing, perLeast is 0.
+    // side: 1 or, where they go down and all is mirrored, -1; where the first and the last ray start; distance per
+    // length along the axis of the slowest and the fastest.
+    private final double[] side = new double[3];
+    private final double[] first = new double[3];
+    private final double[] last = new double[3];
+    private final double[] perLeast = new double[3];
+    private final double[] perGreatest = new double[3];
+
     private final int[] things = new int[MOST + Bvh.LEAF_SIZE];
     private int count;
     private int[] stack = new int[64];
@@ -102,6 +111,7 @@ final class Beam {
         if (!isNarrow()) {
             return false;
         }
+        prepare();
         int stacked = 0;
         int visited = 0;
         stack[stacked++] = bvh.root();
@@ -173,9 +183,25 @@ final class Beam {
             if (!(Math.abs(leastOrigin[axis]) < FARTHEST && Math.abs(greatestOrigin[axis]) < FARTHEST)) {
                 return false;
             }
-            narrow |= leastDirection[axis] > 0 || greatestDirection[axis] < 0;
+            narrow |= isOneWay(axis);
         }
         return narrow;
+    }
+
+    /** Whether all rays go up along an axis, or all down; not so slowly that a reciprocal would overflow. */
+    private boolean isOneWay(int axis) {
+        return leastDirection[axis] >= Double.MIN_NORMAL || greatestDirection[axis] <= -Double.MIN_NORMAL;
+    }
+
+    private void prepare() {
+        for (int axis = 0; axis < 3; axis++) {
+            boolean up = leastDirection[axis] > 0;
+            side[axis] = up ? 1 : -1;
+            first[axis] = up ? leastOrigin[axis] : -greatestOrigin[axis];
+            last[axis] = up ? greatestOrigin[axis] : -leastOrigin[axis];
+            perLeast[axis] = isOneWay(axis) ? 1 / (up ? leastDirection[axis] : -greatestDirection[axis]) : 0;
+            perGreatest[axis] = 1 / (up ? greatestDirection[axis] : -leastDirection[axis]);
+        }
     }
 
     private int push(Bvh bvh, int node, int stacked) {
@@ -196,26 +222,20 @@ final class Beam {
      * @param at the box's place among the nodes' numbers
      */
     double distance(float[] nodes, int at) {
+        if (nodes[at + Bvh.HALF] < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
         double near = 0;
         double far = reach;
         for (int axis = 0; axis < 3; axis++) {
-            double middle = nodes[at + axis * Bvh.AXIS_STRIDE], half = nodes[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF];
-            if (half < 0) {
-                return Double.POSITIVE_INFINITY;
-            }
-            double low = middle - half, high = middle + half;
-            double slow = leastDirection[axis], fast = greatestDirection[axis];
-            double toLow = low - greatestOrigin[axis], toHigh = high - leastOrigin[axis];
-            if (fast < 0) {
-                // The mirror image of what follows.
-                slow = -greatestDirection[axis];
-                fast = -leastDirection[axis];
-                toLow = leastOrigin[axis] - high;
-                toHigh = greatestOrigin[axis] - low;
-            }
-            if (slow > 0) {
-                near = Math.max(near, toLow / (toLow >= 0 ? fast : slow));
-                far = Math.min(far, toHigh / (toHigh >= 0 ? slow : fast));
+            if (perLeast[axis] > 0) {
+                double middle = nodes[at + axis * Bvh.AXIS_STRIDE] * side[axis];
+                double half = nodes[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF];
+                double toLow = middle - half - last[axis], toHigh = middle + half - first[axis];
+                double low = toLow * (toLow >= 0 ? perGreatest[axis] : perLeast[axis]);
+                double high = toHigh * (toHigh >= 0 ? perLeast[axis] : perGreatest[axis]);
+                near = low > near ? low : near;
+                far = high < far ? high : far;
             }
         }
         return near <= far ? near : Double.POSITIVE_INFINITY;

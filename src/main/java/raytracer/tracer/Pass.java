@@ -138,6 +138,16 @@ interface Pass {
         }
     }
 
+    /** a = factor a + term */
+    record Linear(double[] a, double factor, double term) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = factor * a[i] + term;
+            }
+        }
+    }
+
     /** a = 1 / a */
     record Invert(double[] a) implements Pass {
         @Override

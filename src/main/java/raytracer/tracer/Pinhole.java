@@ -42,9 +42,12 @@ final class Pinhole {
     /** What makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
     Pass aiming(Rays rays) {
         return new Pass.InTurn(
-                component(rays, right.x(), up.x(), backward.x(), rays.dx),
-                component(rays, right.y(), up.y(), backward.y(), rays.dy),
-                component(rays, right.z(), up.z(), backward.z(), rays.dz),
+                // Twice the position less the size is exact for pixels' centres in a picture of any size.
+                new Pass.Linear(rays.nx, 2, -width),
+                new Pass.Linear(rays.ny, -2, height),
+                new Component(rays.nx, rays.ny, right.x(), up.x(), backward.x(), rays.dx),
+                new Component(rays.nx, rays.ny, right.y(), up.y(), backward.y(), rays.dy),
+                new Component(rays.nx, rays.ny, right.z(), up.z(), backward.z(), rays.dz),
                 new Pass.Length(rays.direction, rays.nz),
                 new Pass.DivideByLength(rays.direction, rays.nz),
                 new Pass.Fill(rays.directionError, Rounding.EYE_DIRECTION),
@@ -57,17 +60,13 @@ final class Pinhole {
                 new Pass.Fill(rays.blue, 1));
     }
 
-    private Pass component(Rays rays, double toRight, double toTop, double toEye, double[] out) {
-        return new Component(rays.nx, rays.ny, width, height, toRight, toTop, toEye, out);
-    }
-
-    /** Of directions. Twice the position less the size is exact for pixels' centres in a picture of any size. */
-    private record Component(double[] x, double[] y, double width, double height,
-            double toRight, double toTop, double toEye, double[] out) implements Pass {
+    /** Of directions. */
+    private record Component(double[] x, double[] y, double toRight, double toTop, double toEye, double[] out)
+            implements Pass {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                out[i] = (2 * x[i] - width) * toRight + (height - 2 * y[i]) * toTop - toEye;
+                out[i] = x[i] * toRight + y[i] * toTop - toEye;
             }
         }
     }

@@ -24,6 +24,9 @@ final class Rays {
 
     final int[] pixel = new int[CAPACITY];
 
+    /** Whether none has left or changed its place: then their pixels are consecutive numbers. */
+    boolean areInOrder;
+
     // Where each starts, and a bound on the error of each coordinate; the slot of the surface it leaves.
     final double[] ox = new double[CAPACITY];
     final double[] oy = new double[CAPACITY];
@@ -91,6 +94,7 @@ final class Rays {
     void start(Pass aiming, Samples samples, int from, int number) {
         count = number;
         leaveEye = true;
+        areInOrder = true;
         System.arraycopy(samples.x, from, nx, 0, count);
         System.arraycopy(samples.y, from, ny, 0, count);
         Pass.run(aiming, 0, count);
@@ -180,6 +184,7 @@ final class Rays {
 
     /** Keeps some of the rays that have met something, in a new order; nothing is known yet of where they arrive. */
     void select(int[] order, int kept) {
+        areInOrder = false;
         select(pixel, order, kept);
         select(hit, order, kept);
         // The other quantities are the same for all that leave the eye; and the next source is what was hit.

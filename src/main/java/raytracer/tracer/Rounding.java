@@ -158,29 +158,40 @@ final class Rounding {
     static Pass spherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
             double[] part, double[] out) {
         return new Pass.InTurn(
-                new PartOfRounding(along, distance, part),
-                new LinearPart(centre, reach, radius, along, distance, part, out),
+                new PartOfRounding(along, distance, out, part),
+                new OfDistance(reach, distance, part, out),
+                new OfPoint(centre, radius, out),
                 new Squares(reach, radius, distance, part),
                 new AddRoots(reach, along, distance, out));
     }
 
     /** The part of rounding errors that a distance has which is the power over a sum. */
-    private record PartOfRounding(double[] along, double[] distance, double[] part) implements Pass {
+    private record PartOfRounding(double[] along, double[] distance, double[] sum, double[] part) implements Pass {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                part[i] = Math.min(1, distance[i] / (Math.abs(distance[i] + along[i]) + Math.abs(along[i])));
+                sum[i] = Math.abs(distance[i] + along[i]) + Math.abs(along[i]);
+                part[i] = Math.min(1, distance[i] / sum[i]);
             }
         }
     }
 
-    private record LinearPart(double[] centre, double[] reach, double[] radius, double[] along,
-            double[] distance, double[] part, double[] out) implements Pass {
+    /** The distance's linear part and its share of the direction's, in place of the sum: in units of 3u. */
+    private record OfDistance(double[] reach, double[] distance, double[] part, double[] sum) implements Pass {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                double sum = Math.abs(distance[i] + along[i]) + Math.abs(along[i]);
-                out[i] = U * (3 * ((reach[i] + sum) * part[i] + distance[i]) + 7 * radius[i] + centre[i]);
+                sum[i] = (reach[i] + sum[i]) * part[i] + distance[i];
+            }
+        }
+    }
+
+    /** All that is linear. */
+    private record OfPoint(double[] centre, double[] radius, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = U * (3 * out[i] + 7 * radius[i] + centre[i]);
             }
         }
     }

@@ -137,7 +137,7 @@ public final class TileTracer {
 
     private void addToSamples() {
         if (rays.leaveEye) {
-            setSamples(rays.pixel, samples.red, samples.green, samples.blue);
+            setSamples();
             return;
         }
         double[] red = samples.red, green = samples.green, blue = samples.blue;
@@ -150,12 +150,22 @@ public final class TileTracer {
     }
 
     /** Rays from the eye bring all of the light there. */
-    private void setSamples(int[] pixel, double[] red, double[] green, double[] blue) {
+    private void setSamples() {
+        if (rays.areInOrder) {
+            int from = rays.pixel[0];
+            System.arraycopy(shading.red, 0, samples.red, from, rays.count);
+            System.arraycopy(shading.green, 0, samples.green, from, rays.count);
+            System.arraycopy(shading.blue, 0, samples.blue, from, rays.count);
+        } else {
+            scatter(shading.red, samples.red);
+            scatter(shading.green, samples.green);
+            scatter(shading.blue, samples.blue);
+        }
+    }
+
+    private void scatter(double[] ofRays, double[] ofSamples) {
         for (int i = 0; i < rays.count; i++) {
-            int p = pixel[i];
-            red[p] = shading.red[i];
-            green[p] = shading.green[i];
-            blue[p] = shading.blue[i];
+            ofSamples[rays.pixel[i]] = ofRays[i];
         }
     }
 
