@@ -215,12 +215,10 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
 
     private boolean anyBlocks(LightBuffer buffer, Rays rays, ShadowRays shadows, int ray, Scratch scratch) {
         LightBuffer.Cells cells = scratch.cells;
-        for (int entry = cells.first[ray]; entry < cells.end[ray]; entry++) {
-            if (buffer.isNearer(entry, ray, cells)) {
-                int k = buffer.thing(entry);
-                if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
-                    return true;
-                }
+        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
+            int k = buffer.thing(entry);
+            if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
+                return true;
             }
         }
         return false;

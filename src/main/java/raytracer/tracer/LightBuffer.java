@@ -20,7 +20,7 @@ final class LightBuffer {
     /** By cell, where its entries begin; they end where the next one's begin. */
     private final int[] start;
 
-    /** Things, in the tree's order, each below the bits of the least depth of any of its points. */
+    /** Things, by number in the tree's order, each below the {@link #key} of its nearest point: each cell's in order. */
     private final long[] entries;
 
     LightBuffer(Bvh bvh, double[] lamp, Face[] faces, int[] start, long[] entries) {
@@ -39,7 +39,8 @@ final class LightBuffer {
         final double[] x = new double[Rays.CAPACITY];
         final double[] y = new double[Rays.CAPACITY];
         final double[] z = new double[Rays.CAPACITY];
-        private final double[] depth = new double[Rays.CAPACITY];
+        /** The key of a depth that is no less. */
+        private final int[] depth = new int[Rays.CAPACITY];
         final int[] first = new int[Rays.CAPACITY];
         final int[] end = new int[Rays.CAPACITY];
         private long touched;
@@ -82,15 +83,16 @@ final class LightBuffer {
         cells.z[ray] = treeZ;
         double x = treeX - lampX, y = treeY - lampY, z = treeZ - lampZ;
         Face face = faces[directional ? 0 : Face.number(x, y, z)];
-        cells.depth[ray] = face.depth(x, y, z);
+        // The next float's, as rounding may have gone down.
+        cells.depth[ray] = key((float) face.depth(x, y, z)) + 1;
         int at = face.cell(x, y, z);
         cells.first[ray] = at < 0 ? 0 : start[at];
         cells.end[ray] = at < 0 ? 0 : start[at + 1];
     }
 
-    /** Whether part of an entry's thing may be nearer to the lamp than where a ray starts. */
+    /** Whether part of an entry's thing may be nearer to the lamp than where a ray starts: if not, none after it is. */
     boolean isNearer(int entry, int ray, Cells cells) {
-        return Float.intBitsToFloat((int) (entries[entry] >>> 32)) <= cells.depth[ray];
+        return (int) (entries[entry] >> 32) <= cells.depth[ray];
     }
 
     int thing(int entry) {
@@ -98,6 +100,12 @@ final class LightBuffer {
     }
 
     static long entry(int thing, float nearest) {
-        return (long) Float.floatToRawIntBits(nearest) << 32 | thing;
+        return (long) key(nearest) << 32 | thing;
+    }
+
+    /** A float's bits, of a negative one those of its magnitude turned: they are in order as the floats are. */
+    private static int key(float depth) {
+        int bits = Float.floatToRawIntBits(depth);
+        return bits ^ bits >> 31 & Integer.MAX_VALUE;
     }
 }

@@ -1,5 +1,7 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /**
  * Builds {@link LightBuffer}s. All things are looked at twice: to count each cell's, and to sort them in. Which parts
  * of the faces they take up is known from the tree's boxes.
@@ -80,6 +82,7 @@ final class LightBufferBuilder {
         int[] start = sumUp();
         sorted = new long[start[cells] + 1];
         look(this::sortIn);
+        sortByDepth(start);
         return new LightBuffer(bvh, lamp, faces, start, sorted);
     }
 
@@ -172,6 +175,13 @@ final class LightBufferBuilder {
             next[cell] = start[cell];
         }
         return start;
+    }
+
+    /** A ray needs only look at the first of its cell, and what is nearest to the lamp darkens most. */
+    private void sortByDepth(int[] start) {
+        for (int cell = 0; cell < next.length; cell++) {
+            Arrays.sort(sorted, start[cell], start[cell + 1]);
+        }
     }
 
     private void sortIn(int k, Face face) {

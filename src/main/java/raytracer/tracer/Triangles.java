@@ -255,13 +255,16 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
+        if (rays.hit[i] == slot(k)) {
+            return false;
+        }
         double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
         double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double offset = x * nx + y * ny + z * nz;
         double cosine = dx * nx + dy * ny + dz * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
-        return rays.hit[i] != slot(k) && (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
+        return (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
                 && Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
                 && passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
                         dx, dy, dz, 2 * Rounding.U)
