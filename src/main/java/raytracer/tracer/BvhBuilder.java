@@ -19,6 +19,9 @@ final class BvhBuilder {
     /** The most things beside the tree: each costs every ray a test. */
     private static final int MOST_BESIDE = 8;
 
+    /** A leaf of so many things is not split, even where there is room for another. */
+    private static final int SMALL_LEAF = 2;
+
     private final int[] things;
     private final float[] boxes;
     private final int leafSize;
@@ -159,16 +162,17 @@ final class BvhBuilder {
             return tasks;
         }
 
-        /** Splits a range, then the larger-surfaced of its parts, until there are as many as a node has children. */
+        /**
+         * Splits a range, then the larger-surfaced of its parts, until there are as many as a node has children. If
+         * there is room left, parts are split that could be leaves: smaller ones cost a visitor of the node nothing.
+         */
         private int split(Range parent, Range[] parts) {
             parts[0] = parent;
             int count = 1;
             while (count < Bvh.WIDTH) {
-                int widest = -1;
-                for (int k = 0; k < count; k++) {
-                    if (parts[k].size() > leafSize && (widest < 0 || parts[k].area > parts[widest].area)) {
-                        widest = k;
-                    }
+                int widest = widest(parts, count, leafSize);
+                if (widest < 0) {
+                    widest = widest(parts, count, SMALL_LEAF);
                 }
                 if (widest < 0) {
                     break;
@@ -179,6 +183,17 @@ final class BvhBuilder {
                 parts[count++] = new Range(middle, whole.to, split.rightArea(), split.rightBox());
             }
             return count;
+        }
+
+        /** The part with the largest surface of those of more things than so many; negative if there is none. */
+        private static int widest(Range[] parts, int count, int things) {
+            int widest = -1;
+            for (int k = 0; k < count; k++) {
+                if (parts[k].size() > things && (widest < 0 || parts[k].area > parts[widest].area)) {
+                    widest = k;
+                }
+            }
+            return widest;
         }
     }
 }
