@@ -40,59 +40,96 @@ final class Planes implements Surfaces {
     @Override
     public void findNearest(Rays rays, Scratch scratch) {
         for (int k = 0; k < count; k++) {
-            for (int i = 0; i < rays.count; i++) {
-                double x = px[k] - rays.ox[i], y = py[k] - rays.oy[i], z = pz[k] - rays.oz[i];
-                double offset = x * nx[k] + y * ny[k] + z * nz[k];
-                double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
-                double t = offset / cosine;
-                if (!(t > 0 && t <= rays.reach(i)) || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])
-                        || rays.source[i] == firstSlot + k) {
-                    continue;
-                }
-                double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
-                if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
-                    rays.offer(i, firstSlot + k, t);
-                }
+            measure(rays, k, scratch);
+            offer(rays, k, scratch.along, scratch.square, scratch.distance);
+        }
+    }
+
+    /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
+    private void measure(Rays rays, int k, Scratch scratch) {
+        offsets(rays, k, scratch.along, 0, rays.count);
+        cosines(rays.dx, rays.dy, rays.dz, nx[k], ny[k], nz[k], scratch.square, 0, rays.count);
+        divide(scratch.along, scratch.square, scratch.distance, rays.count);
+    }
+
+    /** out = (p - o) . n */
+    private void offsets(Rays rays, int k, double[] out, int from, int to) {
+        offsets(px[k], py[k], pz[k], rays.ox, rays.oy, rays.oz, nx[k], ny[k], nz[k], out, from, to);
+    }
+
+    private static void offsets(double px, double py, double pz, double[] ox, double[] oy, double[] oz,
+            double nx, double ny, double nz, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = (px - ox[i]) * nx + (py - oy[i]) * ny + (pz - oz[i]) * nz;
+        }
+    }
+
+    private static void cosines(double[] dx, double[] dy, double[] dz, double nx, double ny, double nz,
+            double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = dx[i] * nx + dy[i] * ny + dz[i] * nz;
+        }
+    }
+
+    private static void divide(double[] a, double[] b, double[] out, int to) {
+        for (int i = 0; i < to; i++) {
+            out[i] = a[i] / b[i];
+        }
+    }
+
+    private void offer(Rays rays, int k, double[] offset, double[] cosine, double[] distance) {
+        for (int i = 0; i < rays.count; i++) {
+            double t = distance[i];
+            if (t > 0 && t <= rays.reach(i) && Math.abs(cosine[i]) > Rounding.cosine(rays.directionError[i])
+                    && rays.source[i] != firstSlot + k
+                    && Math.abs(offset[i]) > Rounding.planeOffset(rays.originError[i], reach(rays, i, k))) {
+                rays.offer(i, firstSlot + k, t);
             }
         }
+    }
+
+    /** |x| + |y| + |z| of a plane's point, seen from where a ray starts. */
+    private double reach(Rays rays, int i, int k) {
+        return Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
     }
 
     @Override
     public double distanceError(Rays rays, int i, int slot, double t) {
         int k = slot - firstSlot;
-        double reach = Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
         double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
-        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach, t, cosine);
+        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach(rays, i, k), t, cosine);
     }
 
     @Override
     public void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
-        Lamp lamp = shadows.lamp;
         for (int k = 0; k < count; k++) {
-            double lampX = px[k] - lamp.x(), lampY = py[k] - lamp.y(), lampZ = pz[k] - lamp.z();
-            double lampOffset = lampX * nx[k] + lampY * ny[k] + lampZ * nz[k];
-            double lampBound = Rounding.planeOffset(
-                    lamp.positionError(), Math.abs(lampX) + Math.abs(lampY) + Math.abs(lampZ));
-            for (int i = from; i < to; i++) {
-                if (!shadows.open[i] || rays.hit[i] == firstSlot + k) {
-                    continue;
-                }
-                double x = px[k] - rays.ox[i], y = py[k] - rays.oy[i], z = pz[k] - rays.oz[i];
-                double offset = x * nx[k] + y * ny[k] + z * nz[k];
-                boolean between;
-                if (lamp.directional()) {
-                    double cosine = shadows.dx[i] * nx[k] + shadows.dy[i] * ny[k] + shadows.dz[i] * nz[k];
-                    between = Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
-                            && (offset > 0 && cosine > 0 || offset < 0 && cosine < 0);
-                } else {
-                    // The light and the point are on different sides, and the light is not on the plane.
-                    between = Math.abs(lampOffset) > lampBound
-                            && (offset > 0 && lampOffset < 0 || offset < 0 && lampOffset > 0);
-                }
-                if (between && Math.abs(offset) > Rounding.planeOffset(
-                        rays.originError[i], Math.abs(x) + Math.abs(y) + Math.abs(z))) {
-                    shadows.open[i] = false;
-                }
+            int side = sideOfLamp(shadows.lamp, k);
+            if (side != 0) {
+                offsets(rays, k, scratch.along, from, to);
+                close(rays, shadows.open, k, side, scratch.along, from, to);
+            }
+        }
+    }
+
+    /** 1 if a lamp is on the side of a plane to which the normal points, -1 if on the other, 0 if in the plane. */
+    private int sideOfLamp(Lamp lamp, int k) {
+        if (lamp.directional()) {
+            double cosine = lamp.x() * nx[k] + lamp.y() * ny[k] + lamp.z() * nz[k];
+            return Math.abs(cosine) > Rounding.cosine(2 * Rounding.U) ? (int) Math.signum(cosine) : 0;
+        }
+        double x = lamp.x() - px[k], y = lamp.y() - py[k], z = lamp.z() - pz[k];
+        double height = x * nx[k] + y * ny[k] + z * nz[k];
+        double bound = Rounding.planeOffset(lamp.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
+        return Math.abs(height) > bound ? (int) Math.signum(height) : 0;
+    }
+
+    /** Closes the ways from points that are clearly not on the lamp's side of a plane, nor on the plane. */
+    private void close(Rays rays, boolean[] open, int k, int side, double[] offset, int from, int to) {
+        for (int i = from; i < to; i++) {
+            double below = side * offset[i];
+            if (below > 0 && open[i] && rays.hit[i] != firstSlot + k
+                    && below > Rounding.planeOffset(rays.originError[i], reach(rays, i, k))) {
+                open[i] = false;
             }
         }
     }
@@ -106,8 +143,7 @@ final class Planes implements Surfaces {
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
             int k = rays.hit[i] - firstSlot;
-            double reach = Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
-            rays.arriveOnPlane(i, reach, nx[k], ny[k], nz[k]);
+            rays.arriveOnPlane(i, reach(rays, i, k), nx[k], ny[k], nz[k]);
         }
     }
 }
