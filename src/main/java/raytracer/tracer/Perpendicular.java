@@ -34,14 +34,6 @@ final class Perpendicular {
         }
     }
 
-    /** along = (x, y, z) . d, where (x, y, z) is the o - c of all */
-    static void along(double x, double y, double z,
-            double[] dx, double[] dy, double[] dz, double[] along, int from, int to) {
-        for (int i = from; i < to; i++) {
-            along[i] = x * dx[i] + y * dy[i] + z * dz[i];
-        }
-    }
-
     /** inside = most - |(x, y, z) - along d|^2, where (x, y, z) is the o - c of all */
     static void inside(double x, double y, double z, double most,
             double[] dx, double[] dy, double[] dz, double[] along, double[] inside, int from, int to) {

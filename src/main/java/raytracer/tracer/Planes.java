@@ -48,7 +48,7 @@ final class Planes implements Surfaces {
     /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
     private void measure(Rays rays, int k, Scratch scratch) {
         offsets(rays, k, scratch.along, 0, rays.count);
-        cosines(rays.dx, rays.dy, rays.dz, nx[k], ny[k], nz[k], scratch.square, 0, rays.count);
+        Vectors.dot(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, scratch.square, 0, rays.count);
         divide(scratch.along, scratch.square, scratch.distance, rays.count);
     }
 
@@ -61,13 +61,6 @@ final class Planes implements Surfaces {
             double nx, double ny, double nz, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
             out[i] = (px - ox[i]) * nx + (py - oy[i]) * ny + (pz - oz[i]) * nz;
-        }
-    }
-
-    private static void cosines(double[] dx, double[] dy, double[] dz, double nx, double ny, double nz,
-            double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = dx[i] * nx + dy[i] * ny + dz[i] * nz;
         }
     }
 

@@ -222,7 +222,7 @@ final class Spheres extends BoundedSurfaces {
         double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
         double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, along = scratch.along;
-        Perpendicular.along(x, y, z, dx, dy, dz, along, from, to);
+        Vectors.dot(x, y, z, dx, dy, dz, along, from, to);
         Perpendicular.inside(x, y, z, r * r, dx, dy, dz, along, scratch.square, from, to);
     }
 

@@ -24,4 +24,20 @@ record Vectors(double[] x, double[] y, double[] z) {
             out[i] = (world[i] - centre) * scale - eye;
         }
     }
+
+    /** out = a . v, with a the same for all */
+    static void dot(double ax, double ay, double az, double[] x, double[] y, double[] z,
+            double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = ax * x[i] + ay * y[i] + az * z[i];
+        }
+    }
+
+    /** out += a . v */
+    static void addDot(double ax, double ay, double az, double[] x, double[] y, double[] z,
+            double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] += ax * x[i] + ay * y[i] + az * z[i];
+        }
+    }
 }
