@@ -39,7 +39,7 @@ final class LightBuffer {
         final double[] x = new double[Rays.CAPACITY];
         final double[] y = new double[Rays.CAPACITY];
         final double[] z = new double[Rays.CAPACITY];
-        /** The key of a depth that is no less. */
+        /** The depth's {@link #key}. */
         private final int[] depth = new int[Rays.CAPACITY];
         final int[] first = new int[Rays.CAPACITY];
         final int[] end = new int[Rays.CAPACITY];
@@ -83,8 +83,8 @@ final class LightBuffer {
         cells.z[ray] = treeZ;
         double x = treeX - lampX, y = treeY - lampY, z = treeZ - lampZ;
         Face face = faces[directional ? 0 : Face.number(x, y, z)];
-        // The next float's, as rounding may have gone down.
-        cells.depth[ray] = key((float) face.depth(x, y, z)) + 1;
+        // Rounding keeps the order, and entries' depths have been rounded down.
+        cells.depth[ray] = key((float) face.depth(x, y, z));
         int at = face.cell(x, y, z);
         cells.first[ray] = at < 0 ? 0 : start[at];
         cells.end[ray] = at < 0 ? 0 : start[at + 1];

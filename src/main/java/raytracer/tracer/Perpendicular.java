@@ -19,7 +19,7 @@ final class Perpendicular {
     /** inside = most - |o - c - along d|^2 */
     static void inside(double[] ox, double[] oy, double[] oz, double cx, double cy, double cz, double most,
             double[] dx, double[] dy, double[] dz, double[] along, double[] inside, int from, int to) {
-        // Not in one loop: C2 unrolls loops to 60 of its nodes at most, and vectorises none that is not unrolled.
+        // In one loop it would be too much for C2 to vectorise, see Pass.
         for (int i = from; i < to; i++) {
             double ex = ox[i] - cx - along[i] * dx[i];
             inside[i] = ex * ex;

@@ -189,7 +189,7 @@ final class Triangles extends BoundedSurfaces {
         double bx = corner(k, b, 0), by = corner(k, b, 1), bz = corner(k, b, 2);
         double ex = bx - ax, ey = by - ay, ez = bz - az;
         double sx = ax + bx, sy = ay + by, sz = az + bz;
-        // One after the other: C2 does not vectorise a loop as large as both.
+        // In one loop it would be too much for C2 to vectorise, see Pass.
         Vectors.dot(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, dx, dy, dz, out, from, to);
         Vectors.addDot(
                 -2 * ex, -2 * ey, -2 * ez, scratch.momentX, scratch.momentY, scratch.momentZ, out, from, to);
