@@ -36,7 +36,8 @@ public final class TileTracer {
     private final int[] kept = new int[Rays.CAPACITY];
 
     /** In turn from one place, as passes are run, so that HotSpot compiles each of them alone. */
-    private final Runnable[] steps = {this::findNearest, this::arrange, this::arrive, this::shade, this::reflect};
+    private final Runnable[] steps = {
+        this::findNearest, this::arrange, this::arrive, this::shade, this::addToSamples, this::reflect};
 
     /** How many surfaces the paths of this round's rays have met with the one that they meet now. */
     private int depth;
@@ -132,7 +133,6 @@ public final class TileTracer {
         for (int group = 0; group < groups.count(); group++) {
             shading.shade(groups.start(group), groups.end(group), material[groups.look(group)], samples);
         }
-        addToSamples();
     }
 
     private void addToSamples() {
