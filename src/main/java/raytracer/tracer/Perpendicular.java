@@ -19,18 +19,12 @@ final class Perpendicular {
     /** inside = most - |o - c - along d|^2 */
     static void inside(double[] ox, double[] oy, double[] oz, double cx, double cy, double cz, double most,
             double[] dx, double[] dy, double[] dz, double[] along, double[] inside, int from, int to) {
-        // In one loop it would be too much for C2 to vectorise, see Pass.
+        // Too large for C2 to vectorise, see Pass. Three loops instead are 1 % faster, and take 2 % longer when cold.
         for (int i = from; i < to; i++) {
             double ex = ox[i] - cx - along[i] * dx[i];
-            inside[i] = ex * ex;
-        }
-        for (int i = from; i < to; i++) {
             double ey = oy[i] - cy - along[i] * dy[i];
-            inside[i] += ey * ey;
-        }
-        for (int i = from; i < to; i++) {
             double ez = oz[i] - cz - along[i] * dz[i];
-            inside[i] = most - (inside[i] + ez * ez);
+            inside[i] = most - (ex * ex + ey * ey + ez * ez);
         }
     }
 

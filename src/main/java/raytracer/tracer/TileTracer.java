@@ -136,11 +136,16 @@ public final class TileTracer {
     }
 
     private void addToSamples() {
-        if (rays.leaveEye) {
-            setSamples();
-            return;
+        if (!rays.leaveEye) {
+            addMirrored(samples.red, samples.green, samples.blue);
+        } else if (rays.areInOrder) {
+            copyToSamples();
+        } else {
+            setSamples(rays.pixel, samples.red, samples.green, samples.blue);
         }
-        double[] red = samples.red, green = samples.green, blue = samples.blue;
+    }
+
+    private void addMirrored(double[] red, double[] green, double[] blue) {
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
             red[p] += times(rays.red[i], shading.red[i]);
@@ -149,23 +154,21 @@ public final class TileTracer {
         }
     }
 
-    /** Rays from the eye bring all of the light there. */
-    private void setSamples() {
-        if (rays.areInOrder) {
-            int from = rays.pixel[0];
-            System.arraycopy(shading.red, 0, samples.red, from, rays.count);
-            System.arraycopy(shading.green, 0, samples.green, from, rays.count);
-            System.arraycopy(shading.blue, 0, samples.blue, from, rays.count);
-        } else {
-            scatter(shading.red, samples.red);
-            scatter(shading.green, samples.green);
-            scatter(shading.blue, samples.blue);
-        }
+    // Rays from the eye bring all of the light there.
+
+    private void copyToSamples() {
+        int from = rays.pixel[0];
+        System.arraycopy(shading.red, 0, samples.red, from, rays.count);
+        System.arraycopy(shading.green, 0, samples.green, from, rays.count);
+        System.arraycopy(shading.blue, 0, samples.blue, from, rays.count);
     }
 
-    private void scatter(double[] ofRays, double[] ofSamples) {
+    private void setSamples(int[] pixel, double[] red, double[] green, double[] blue) {
         for (int i = 0; i < rays.count; i++) {
-            ofSamples[rays.pixel[i]] = ofRays[i];
+            int p = pixel[i];
+            red[p] = shading.red[i];
+            green[p] = shading.green[i];
+            blue[p] = shading.blue[i];
         }
     }
 
