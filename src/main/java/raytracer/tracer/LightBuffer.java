@@ -20,7 +20,7 @@ final class LightBuffer {
     /** By cell, where its entries begin; they end where the next one's begin. */
     private final int[] start;
 
-    /** Things, by number in the tree's order, each below the {@link #key} of its nearest point: each cell's in order. */
+    /** Things, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
     private final long[] entries;
 
     LightBuffer(Bvh bvh, double[] lamp, Face[] faces, int[] start, long[] entries) {
