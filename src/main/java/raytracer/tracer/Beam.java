@@ -27,9 +27,9 @@ final class Beam {
     private double reach;
     private boolean backwards;
 
-    // By axis along which all rays go the same way, in tree space; of the others, which tell nothing, perLeast is 0.
-    // side: 1 or, where they go down and all is mirrored, -1; where the first and the last ray start; distance per
-    // length along the axis of the slowest and the fastest.
+    // By axis along which all rays go the same way, in tree space, mirrored (side is -1) where that is down: where the
+    // first and the last of them starts, and how far the slowest and the fastest go for each unit along the axis.
+    // Where they go both ways perLeast is 0: such an axis tells nothing.
     private final double[] side = new double[3];
     private final double[] first = new double[3];
     private final double[] last = new double[3];

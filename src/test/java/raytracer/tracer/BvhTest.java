@@ -111,6 +111,23 @@ class BvhTest {
     }
 
     @Test
+    void hasNoFreePlaceBesideALeafThatCouldBeTwo() {
+        Bvh bvh = build(cubes(3000, 2, .05, 0, 1), 2);
+        int withFreePlaces = 0;
+        for (int node = 0; node < bvh.nodes().length; node += Bvh.NODE_STRIDE) {
+            int[] children = IntStream.range(node, node + Bvh.WIDTH)
+                    .filter(at -> bvh.nodes()[at + Bvh.HALF] >= 0).map(bvh::child).toArray();
+            if (children.length < Bvh.WIDTH) {
+                withFreePlaces++;
+                for (int child : children) {
+                    assertTrue(child < 0 && Bvh.leafEnd(child) - Bvh.leafFirst(child) <= 2, "a child of node " + node);
+                }
+            }
+        }
+        assertTrue(withFreePlaces < bvh.nodes().length / Bvh.NODE_STRIDE / 10, withFreePlaces + " with free places");
+    }
+
+    @Test
     void sparesMostRaysMostThings() {
         Bvh bvh = build(cubes(3000, 2, .02, 0, 1), 2);
         BitSet visited = visited(bvh, new Vector(0, 0, 5), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
