@@ -84,21 +84,24 @@ final class Beam {
     }
 
     private static void span(double[] x, double[] y, double[] z, int from, int to, double[] least, double[] greatest) {
-        span(x, from, to, least, greatest, 0);
-        span(y, from, to, least, greatest, 1);
-        span(z, from, to, least, greatest, 2);
+        Pass.run(new Span(x, least, greatest, 0), from, to);
+        Pass.run(new Span(y, least, greatest, 1), from, to);
+        Pass.run(new Span(z, least, greatest, 2), from, to);
     }
 
     /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray meets nothing. */
-    private static void span(double[] values, int from, int to, double[] least, double[] greatest, int axis) {
-        double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
-        for (int i = from; i < to; i++) {
-            double v = values[i];
-            low = v < low ? v : low;
-            high = v > high ? v : high;
+    private record Span(double[] values, double[] least, double[] greatest, int axis) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
+            for (int i = from; i < to; i++) {
+                double v = values[i];
+                low = v < low ? v : low;
+                high = v > high ? v : high;
+            }
+            least[axis] = low;
+            greatest[axis] = high;
         }
-        least[axis] = low;
-        greatest[axis] = high;
     }
 
     /** Finds the things in the tree that the rays may meet; false if they are too many, or the rays too unlike. */

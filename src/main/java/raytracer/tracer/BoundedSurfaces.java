@@ -95,17 +95,23 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         }
     }
 
+    // A walk is a method of its own, which HotSpot compiles long before a loop over rays in which few of them walk.
+
     private void walkToNearest(Rays rays, int from, int to, Scratch scratch) {
-        BvhWalk walk = scratch.walk;
-        EntryPoints entryPoints = scratch.entryPoints;
         for (int i = from; i < to; i++) {
-            if (entryPoints.leadIn(i)
-                    && walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
-                entryPoints.enter(walk, i);
-                look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
-                        rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i], rays.directionError[i], scratch);
-                meetOnTheWay(rays, i, scratch);
+            if (scratch.entryPoints.leadIn(i)) {
+                walkToNearest(rays, i, scratch);
             }
+        }
+    }
+
+    private void walkToNearest(Rays rays, int i, Scratch scratch) {
+        BvhWalk walk = scratch.walk;
+        if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
+            scratch.entryPoints.enter(walk, i);
+            look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
+                    rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i], rays.directionError[i], scratch);
+            meetOnTheWay(rays, i, scratch);
         }
     }
 
@@ -176,16 +182,20 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     private void walkToBlockers(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
-        BvhWalk walk = scratch.walk;
-        EntryPoints entryPoints = scratch.entryPoints;
         for (int i = from; i < to; i++) {
-            if (shadows.open[i] && entryPoints.leadIn(i) && walk.start(
-                    bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
-                entryPoints.enter(walk, i);
-                look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
-                        shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
-                shadows.open[i] = !anyBlocks(rays, shadows, i, scratch);
+            if (shadows.open[i] && scratch.entryPoints.leadIn(i)) {
+                walkToBlocker(rays, shadows, i, scratch);
             }
+        }
+    }
+
+    private void walkToBlocker(Rays rays, ShadowRays shadows, int i, Scratch scratch) {
+        BvhWalk walk = scratch.walk;
+        if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
+            scratch.entryPoints.enter(walk, i);
+            look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
+                    shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i], 2 * Rounding.U, scratch);
+            shadows.open[i] = !anyBlocks(rays, shadows, i, scratch);
         }
     }
 

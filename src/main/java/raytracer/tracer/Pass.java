@@ -8,16 +8,26 @@ import java.util.Arrays;
  * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of fewer
  * on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
  *
- * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Pass, int, int)}, where one call is
- * of any kind, so that each kind is compiled once. Were they methods, C2 would copy them into every method on the way
- * there, some several times over, and be busy for seconds.
+ * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Pass, int, int)}, so that each kind
+ * is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times over,
+ * and be busy for seconds.
  */
 interface Pass {
 
     void run(int from, int to);
 
+    /** Runs a pass apart: HotSpot does not compile it into the caller, even one that has just made it. */
     static void run(Pass pass, int from, int to) {
-        pass.run(from, to);
+        run(pass, from, to, 2);
+    }
+
+    /** Into itself, HotSpot compiles a method once (-XX:MaxRecursiveInlineLevel), so the last of three calls stays. */
+    private static void run(Pass pass, int from, int to, int deeper) {
+        if (deeper > 0) {
+            run(pass, from, to, deeper - 1);
+        } else {
+            pass.run(from, to);
+        }
     }
 
     /** One pass after the other. */
@@ -25,7 +35,8 @@ interface Pass {
         @Override
         public void run(int from, int to) {
             for (Pass pass : passes) {
-                Pass.run(pass, from, to);
+                // Of any kind: apart already.
+                pass.run(from, to);
             }
         }
     }
@@ -77,6 +88,17 @@ interface Pass {
             double[] ax = a.x(), ay = a.y(), az = a.z(), bx = b.x(), by = b.y(), bz = b.z();
             for (int i = from; i < to; i++) {
                 out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i];
+            }
+        }
+    }
+
+    /** out = a . v, where a is the same for all. */
+    record DotWith(double ax, double ay, double az, Vectors v, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                out[i] = ax * x[i] + ay * y[i] + az * z[i];
             }
         }
     }

@@ -1,6 +1,5 @@
 package raytracer.tracer;
 
-import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
@@ -20,7 +19,6 @@ final class Shading {
     private Material material;
     private Lamp lamp;
 
-    // Objects as all passes are, or C2 would compile each into shade once more.
     private final Pass aim = this::aim;
     private final Pass findReflectance = this::findReflectance;
     private final Pass addLight = this::addLight;
@@ -122,9 +120,9 @@ final class Shading {
      */
     void shade(int from, int to, Material ofAll, Samples samples) {
         material = ofAll;
-        Arrays.fill(red, from, to, material.ambient().red());
-        Arrays.fill(green, from, to, material.ambient().green());
-        Arrays.fill(blue, from, to, material.ambient().blue());
+        Pass.run(new Pass.Fill(red, material.ambient().red()), from, to);
+        Pass.run(new Pass.Fill(green, material.ambient().green()), from, to);
+        Pass.run(new Pass.Fill(blue, material.ambient().blue()), from, to);
         if (material.diffuse().isBlack() && material.specular().isBlack()) {
             return;
         }
@@ -219,7 +217,7 @@ final class Shading {
             }
             return;
         }
-        Arrays.fill(power, from, to, 1);
+        Pass.run(new Pass.Fill(power, 1), from, to);
         for (; n > 0; n >>= 1) {
             if ((n & 1) == 1) {
                 Pass.run(multiplyPower, from, to);

@@ -1,7 +1,5 @@
 package raytracer.tracer;
 
-import java.util.Arrays;
-
 /**
  * Takes rays to where they have met spheres: their origins become those points, with bounds on their errors, and the
  * normals are set.
@@ -41,7 +39,7 @@ final class SphereArrival {
         boolean same = rays.haveMetTheSame(from, to);
         for (int number = 0; number < Spheres.STRIDE; number++) {
             if (same) {
-                Arrays.fill(sphere[number], from, to, data[at(from) + number]);
+                Pass.run(new Pass.Fill(sphere[number], data[at(from) + number]), from, to);
             } else {
                 gather(sphere[number], number, from, to);
             }

@@ -102,7 +102,7 @@ final class Spheres extends BoundedSurfaces {
         if (rays.leaveEye) {
             passByFromEye(rays, from, to, k, scratch);
         } else {
-            passBy(rays, rays.dx, rays.dy, rays.dz, from, to, k, scratch);
+            passBy(rays, rays.direction, from, to, k, scratch);
         }
         double[] square = scratch.square, along = scratch.along, t = scratch.distance;
         double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
@@ -160,7 +160,7 @@ final class Spheres extends BoundedSurfaces {
             blockInwards(rays, shadows, from, to, k, lampSide, scratch);
             return;
         }
-        passBy(rays, shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
+        passBy(rays, shadows.direction, from, to, k, scratch);
         int doubtful = closePlain(rays, shadows, from, to, k, lampSide, scratch);
         for (int n = 0; n < doubtful; n++) {
             int i = scratch.doubtful[n];
@@ -173,8 +173,8 @@ final class Spheres extends BoundedSurfaces {
             Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
         double[] along = scratch.along;
         boolean[] open = shadows.open;
-        Perpendicular.along(rays.ox, rays.oy, rays.oz, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
-                shadows.dx, shadows.dy, shadows.dz, along, from, to);
+        Pass.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
+                shadows.direction, along), from, to);
         for (int i = from; i < to; i++) {
             if (along[i] < 0 && open[i]) {
                 open[i] = !blocks(rays, shadows, i, k, lampSide);
@@ -211,19 +211,18 @@ final class Spheres extends BoundedSurfaces {
         return power > Rounding.power(originError, r) + Rounding.passingPower(along * along, r * r);
     }
 
-    private void passBy(Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, int k, Scratch scratch) {
+    private void passBy(Rays rays, Vectors d, int from, int to, int k, Scratch scratch) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = scratch.along;
-        Perpendicular.along(ox, oy, oz, cx, cy, cz, dx, dy, dz, along, from, to);
-        Perpendicular.inside(ox, oy, oz, cx, cy, cz, r * r, dx, dy, dz, along, scratch.square, from, to);
+        Pass.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, scratch.along), from, to);
+        Pass.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, scratch.along, scratch.square), from, to);
     }
 
     private void passByFromEye(Rays rays, int from, int to, int k, Scratch scratch) {
         double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
         double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, along = scratch.along;
-        Vectors.dot(x, y, z, dx, dy, dz, along, from, to);
-        Perpendicular.inside(x, y, z, r * r, dx, dy, dz, along, scratch.square, from, to);
+        Pass.run(new Pass.DotWith(x, y, z, rays.direction, scratch.along), from, to);
+        Pass.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, scratch.along, scratch.square),
+                from, to);
     }
 
     @Override
@@ -303,8 +302,13 @@ final class Spheres extends BoundedSurfaces {
     @Override
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         if (scratch.sphereArrival == null) {
-            scratch.sphereArrival = new SphereArrival(data, slot(0), rays, scratch);
+            prepareToArrive(rays, scratch);
         }
         scratch.sphereArrival.run(from, to);
+    }
+
+    /** Apart, as C2 compiles a constructor into whoever calls it, ever so rarely. */
+    private void prepareToArrive(Rays rays, Scratch scratch) {
+        scratch.sphereArrival = new SphereArrival(data, slot(0), rays, scratch);
     }
 }

@@ -35,6 +35,8 @@ public final class TileTracer {
     private final Shading shading;
     private final int[] kept = new int[Rays.CAPACITY];
 
+    private final Pass starting = this::start;
+
     /** In turn from one place, as passes are run, so that HotSpot compiles each of them alone. */
     private final Runnable[] steps = {
         this::findNearest, this::arrange, this::arrive, this::shade, this::addToSamples, this::reflect};
@@ -63,25 +65,29 @@ public final class TileTracer {
         samples = all;
         int most = TRACED.getAndAdd(all.count) < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
         for (int from = 0; from < all.count; from += most) {
-            trace(from, Math.min(most, all.count - from));
+            trace(from, Math.min(from + most, all.count));
         }
     }
 
-    private void trace(int from, int count) {
-        Arrays.fill(samples.red, from, from + count, 0);
-        Arrays.fill(samples.green, from, from + count, 0);
-        Arrays.fill(samples.blue, from, from + count, 0);
-        if (samples.path != null) {
-            Arrays.fill(samples.path, from, from + count, 0);
-        }
-        rays.start(aiming, samples, from, count);
-        primaryCount += count;
+    private void trace(int from, int to) {
+        Pass.run(starting, from, to);
         depth = 1;
         while (rays.count > 0) {
             for (Runnable step : steps) {
                 step.run();
             }
         }
+    }
+
+    private void start(int from, int to) {
+        Pass.run(new Pass.Fill(samples.red, 0), from, to);
+        Pass.run(new Pass.Fill(samples.green, 0), from, to);
+        Pass.run(new Pass.Fill(samples.blue, 0), from, to);
+        if (samples.path != null) {
+            Arrays.fill(samples.path, from, to, 0);
+        }
+        rays.start(aiming, samples, from, to - from);
+        primaryCount += to - from;
     }
 
     // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.
