@@ -48,19 +48,23 @@ public final class Image implements PixelSink {
         return height;
     }
 
-    /** Sets a pixel; each component is cut to [0, 1] and rounded to the nearest of 256 steps. */
+    /** Sets pixels; each component is cut to [0, 1] and rounded to the nearest of 256 steps. */
     @Override
-    public void set(int x, int y, double red, double green, double blue) {
-        if (Double.isNaN(red + green + blue)) {
-            undefined.increment();
-        }
-        set(bytes, COMPONENTS * (y * width + x), red, green, blue);
+    public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
+        undefined.add(quantise(red, green, blue, from, count, bytes, COMPONENTS * (y * width + x)));
     }
 
-    static void set(byte[] bytes, int i, double red, double green, double blue) {
-        bytes[i] = quantise(red);
-        bytes[i + 1] = quantise(green);
-        bytes[i + 2] = quantise(blue);
+    /** Turns pixels into bytes, from the one at index {@code to} on; returns how many of them are no number. */
+    static int quantise(double[] red, double[] green, double[] blue, int from, int count, byte[] bytes, int to) {
+        int undefined = 0;
+        int at = to;
+        for (int i = from; i < from + count; i++) {
+            bytes[at++] = quantise(red[i]);
+            bytes[at++] = quantise(green[i]);
+            bytes[at++] = quantise(blue[i]);
+            undefined += Double.isNaN(red[i] + green[i] + blue[i]) ? 1 : 0;
+        }
+        return undefined;
     }
 
     /** A pixel as 0xRRGGBB. */

@@ -70,11 +70,9 @@ public final class RowStream implements PixelSink, RenderedImage {
     }
 
     @Override
-    public void set(int x, int y, double red, double green, double blue) {
-        if (Double.isNaN(red + green + blue)) {
-            undefined.increment();
-        }
-        Image.set(bands.get(place(y)).bytes, COMPONENTS * (y % bandRows * width + x), red, green, blue);
+    public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
+        byte[] bytes = bands.get(place(y)).bytes;
+        undefined.add(Image.quantise(red, green, blue, from, count, bytes, COMPONENTS * (y % bandRows * width + x)));
     }
 
     @Override

@@ -75,10 +75,8 @@ final class AdaptiveSampler implements Sampler {
     }
 
     private void send(int left, int top, PixelSink sink) {
-        for (int pixel = 0; pixel < columns * rows; pixel++) {
-            if (isInside(pixel)) {
-                sink.set(x(left, pixel), y(top, pixel), means.red(pixel), means.green(pixel), means.blue(pixel));
-            }
+        for (int row = 1; row < rows - 1; row++) {
+            means.sendRow(row * columns + 1, columns - 2, left, top + row - 1, sink);
         }
     }
 

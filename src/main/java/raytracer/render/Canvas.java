@@ -16,11 +16,13 @@ public final class Canvas implements PixelSink {
     }
 
     @Override
-    public void set(int x, int y, double red, double green, double blue) {
-        int i = COMPONENTS * (y * width + x);
-        values[i] = cut(red);
-        values[i + 1] = cut(green);
-        values[i + 2] = cut(blue);
+    public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
+        int at = COMPONENTS * (y * width + x);
+        for (int i = from; i < from + count; i++) {
+            values[at++] = cut(red[i]);
+            values[at++] = cut(green[i]);
+            values[at++] = cut(blue[i]);
+        }
     }
 
     private static float cut(double c) {

@@ -20,10 +20,6 @@ final class GridSampler implements Sampler {
 
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
-        if (n == 1) {
-            renderCentres(left, top, columns, rows, sink);
-            return;
-        }
         PixelMeans means = new PixelMeans(columns * rows);
         addGrids(left, top, columns, rows);
         points.trace(tracer, samples, means);
@@ -33,32 +29,6 @@ final class GridSampler implements Sampler {
     private void addGrids(int left, int top, int columns, int rows) {
         for (int pixel = 0; pixel < columns * rows; pixel++) {
             points.addGrid(pixel, left + pixel % columns, top + pixel / columns, n);
-        }
-    }
-
-    /** One sample a pixel is the pixel: the colour goes on uncut, and no means are kept. */
-    private void renderCentres(int left, int top, int columns, int rows, PixelSink sink) {
-        pointAtCentres(left, top, columns, rows);
-        tracer.trace(samples);
-        send(left, top, columns, rows, sink);
-        samples.count = 0;
-    }
-
-    private void pointAtCentres(int left, int top, int columns, int rows) {
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                samples.add(left + column + 0.5, top + row + 0.5);
-            }
-        }
-    }
-
-    private void send(int left, int top, int columns, int rows, PixelSink sink) {
-        int i = 0;
-        for (int row = 0; row < rows; row++) {
-            for (int column = 0; column < columns; column++) {
-                sink.set(left + column, top + row, samples.red[i], samples.green[i], samples.blue[i]);
-                i++;
-            }
         }
     }
 

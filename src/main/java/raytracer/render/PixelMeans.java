@@ -88,8 +88,19 @@ final class PixelMeans {
 
     /** Sends all pixels of a rectangle, of which these are the means. */
     void send(int left, int top, int columns, int rows, PixelSink sink) {
-        for (int p = 0; p < columns * rows; p++) {
-            sink.set(left + p % columns, top + p / columns, red(p), green(p), blue(p));
+        for (int row = 0; row < rows; row++) {
+            sendRow(row * columns, columns, left, top + row, sink);
         }
+    }
+
+    /** Sends some of these pixels, from one on, which are in a row of the picture. */
+    void sendRow(int first, int pixels, int x, int y, PixelSink sink) {
+        double[] r = new double[pixels], g = new double[pixels], b = new double[pixels];
+        for (int i = 0; i < pixels; i++) {
+            r[i] = red(first + i);
+            g[i] = green(first + i);
+            b[i] = blue(first + i);
+        }
+        sink.setRow(x, y, pixels, r, g, b, 0);
     }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
+import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 
 /**
@@ -55,12 +56,19 @@ public final class Renderer {
             if (sampling instanceof Sampling.Adaptive adaptive) {
                 return renderAdaptively(adaptive.error(), pool);
             }
-            return onAllThreads(pool, () -> work(sampling instanceof Sampling.Grid grid
-                    ? new GridSampler(tracer.newTileTracer(), grid.n())
-                    : new SequenceSampler(tracer.newTileTracer(), (Sampling.Sequence) sampling)));
+            return onAllThreads(pool, () -> work(newSampler()));
         } finally {
             pool.shutdownNow();
         }
+    }
+
+    private Sampler newSampler() {
+        TileTracer tileTracer = tracer.newTileTracer();
+        if (sampling instanceof Sampling.Sequence sequence) {
+            return new SequenceSampler(tileTracer, sequence);
+        }
+        int n = ((Sampling.Grid) sampling).n();
+        return n == 1 ? new CentreSampler(tileTracer) : new GridSampler(tileTracer, n);
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
@@ -130,11 +138,12 @@ public final class Renderer {
 
     private RayCounts work(Sampler sampler) {
         int x0 = tiles.region().x(), y0 = tiles.region().y();
+        PixelSink inRegion = (x, y, count, red, green, blue, from) ->
+                sink.setRow(x - x0, y - y0, count, red, green, blue, from);
         for (long tile; (tile = tiles.next(1)) < tiles.count(); ) {
             int row = tiles.top(tile) - y0;
             sink.awaitRoom(row);
-            sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile),
-                    (x, y, red, green, blue) -> sink.set(x - x0, y - y0, red, green, blue));
+            sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), inRegion);
             sink.tileDone(row, tiles.pixels(tile));
             done.incrementAndGet();
         }

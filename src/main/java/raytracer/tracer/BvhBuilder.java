@@ -1,5 +1,7 @@
 package raytracer.tracer;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.RecursiveTask;
 
@@ -110,6 +112,9 @@ final class BvhBuilder {
         }
     }
 
+    /** A range that is to become a child, here or, if it is large, as a subtree of its own. */
+    private record Part(int node, int child, Range range, Subtree subtree) { }
+
     /** Builds the nodes below and including that of one range; its own node comes first. */
     private final class Subtree extends RecursiveTask<Nodes> {
 
@@ -126,40 +131,43 @@ final class BvhBuilder {
             split = new Split(things, boxes, offset);
         }
 
+        /** With a stack of its own: a method that calls itself C2 would compile into itself, for a quarter second. */
         @Override
         protected Nodes compute() {
             Nodes nodes = new Nodes();
-            grow(nodes, range);
+            Deque<Part> parts = new ArrayDeque<>();
+            grow(nodes, range, parts);
+            while (!parts.isEmpty()) {
+                Part part = parts.pop();
+                if (part.subtree != null) {
+                    nodes.graft(part.node, part.child, part.subtree.join());
+                } else {
+                    nodes.setChild(part.node, part.child, grow(nodes, part.range, parts));
+                }
+            }
             return nodes;
         }
 
-        private int grow(Nodes nodes, Range parent) {
+        /** Adds a node, and stacks what is to become its children; returns its number. */
+        private int grow(Nodes nodes, Range parent, Deque<Part> parts) {
             int node = nodes.add();
-            Range[] parts = new Range[Bvh.WIDTH];
-            int count = split(parent, parts);
-            Subtree[] tasks = forkLarge(parts, count);
-            for (int k = 0; k < count; k++) {
-                nodes.setBox(node, k, parts[k].box);
-                if (tasks[k] != null) {
-                    nodes.graft(node, k, tasks[k].join());
+            Range[] ranges = new Range[Bvh.WIDTH];
+            for (int k = split(parent, ranges) - 1; k >= 0; k--) {
+                Range child = ranges[k];
+                nodes.setBox(node, k, child.box);
+                if (child.size() <= leafSize) {
+                    nodes.setChild(node, k, Bvh.leaf(child.from, child.size()));
                 } else {
-                    nodes.setChild(node, k, parts[k].size() <= leafSize
-                            ? Bvh.leaf(parts[k].from, parts[k].size()) : grow(nodes, parts[k]));
+                    parts.push(new Part(node, k, child, child.size() < PARALLEL_SIZE ? null : fork(child)));
                 }
             }
             return node;
         }
 
-        /** Apart from {@link #grow}, which C2 otherwise compiles before, and together with, all that it calls. */
-        private Subtree[] forkLarge(Range[] parts, int count) {
-            Subtree[] tasks = new Subtree[count];
-            for (int k = 0; k < count; k++) {
-                if (parts[k].size() >= PARALLEL_SIZE) {
-                    tasks[k] = new Subtree(parts[k], offset);
-                    tasks[k].fork();
-                }
-            }
-            return tasks;
+        private Subtree fork(Range large) {
+            Subtree subtree = new Subtree(large, offset);
+            subtree.fork();
+            return subtree;
         }
 
         /**

@@ -16,18 +16,14 @@ interface Pass {
 
     void run(int from, int to);
 
-    /** Runs a pass apart: HotSpot does not compile it into the caller, even one that has just made it. */
+    /** Runs a pass, of which HotSpot does not know the kind, even in a method that has just made it. */
     static void run(Pass pass, int from, int to) {
-        run(pass, from, to, 2);
+        unknown(pass, 2).run(from, to);
     }
 
     /** Into itself, HotSpot compiles a method once (-XX:MaxRecursiveInlineLevel), so the last of three calls stays. */
-    private static void run(Pass pass, int from, int to, int deeper) {
-        if (deeper > 0) {
-            run(pass, from, to, deeper - 1);
-        } else {
-            pass.run(from, to);
-        }
+    private static Pass unknown(Pass pass, int deeper) {
+        return deeper > 0 ? unknown(pass, deeper - 1) : pass;
     }
 
     /** One pass after the other. */

@@ -52,4 +52,19 @@ final class Perpendicular {
             }
         }
     }
+
+    /**
+     * How far away rays that start at the same point outside a sphere first meet it, if they do.
+     *
+     * @param power  of that point
+     * @param inside with the square of the radius as the most
+     */
+    record Distance(double power, double[] along, double[] inside, double[] distance) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                distance[i] = power / (Math.sqrt(Math.max(0, inside[i])) - along[i]);
+            }
+        }
+    }
 }

@@ -5,11 +5,15 @@ package raytracer.tracer;
 public interface PixelSink {
 
     /**
-     * @param x     from the left, from 0
+     * Some of a row's pixels, one beside the other.
+     *
+     * @param x     of the first, from the left, from 0
      * @param y     from the top, from 0
+     * @param count how many
      * @param red   linear, not cut to a range; so are the others
+     * @param from  the index of the first pixel's colour
      */
-    void set(int x, int y, double red, double green, double blue);
+    void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from);
 
     /** Waits until there is room for the pixels from this row down to the tile's end. */
     default void awaitRoom(int row) { }

@@ -17,6 +17,7 @@ final class Scratch {
 
     /** Rays that a pass over all of them could not decide. */
     final int[] doubtful = new int[Rays.CAPACITY];
+    int doubtfulCount;
 
     final double[] along = new double[Rays.CAPACITY];
     final double[] square = new double[Rays.CAPACITY];

@@ -104,30 +104,29 @@ final class Spheres extends BoundedSurfaces {
         } else {
             passBy(rays, rays.direction, from, to, k, scratch);
         }
-        double[] square = scratch.square, along = scratch.along, t = scratch.distance;
         double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
         double power = rays.leaveEye ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from],
                 data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2], r) : 0;
         if (!(power > 0)) {
             for (int i = from; i < to; i++) {
-                if (square[i] >= clear) {
+                if (scratch.square[i] >= clear) {
                     meet(rays, i, k);
                 }
             }
             return;
         }
         // All rays start at the same point outside: what takes long to compute is the same for all.
-        distances(power, along, square, t, from, to);
-        int doubtful = takeNearer(
-                rays.hit, rays.distance, along, square, t, clear, slot(k), scratch.doubtful, from, to);
-        for (int n = 0; n < doubtful; n++) {
+        Pass.run(new Perpendicular.Distance(power, scratch.along, scratch.square, scratch.distance), from, to);
+        Pass.run((first, end) -> takeNearer(rays, clear, slot(k), scratch, first, end), from, to);
+        for (int n = 0; n < scratch.doubtfulCount; n++) {
             meet(rays, scratch.doubtful[n], k);
         }
     }
 
     /** Takes what is met clearly, and nearer than all before; lists the rays that need a closer look. */
-    private static int takeNearer(int[] hit, double[] distance, double[] along, double[] square, double[] t,
-            double clear, int slot, int[] doubtful, int from, int to) {
+    private static void takeNearer(Rays rays, double clear, int slot, Scratch scratch, int from, int to) {
+        double[] distance = rays.distance, along = scratch.along, square = scratch.square, t = scratch.distance;
+        int[] hit = rays.hit, doubtful = scratch.doubtful;
         int count = 0;
         for (int i = from; i < to; i++) {
             if (square[i] >= 0) {
@@ -143,14 +142,7 @@ final class Spheres extends BoundedSurfaces {
                 doubtful[count++] = i;
             }
         }
-        return count;
-    }
-
-    /** The same as {@link #distance} for rays that start outside and meet the sphere. */
-    private static void distances(double power, double[] along, double[] square, double[] t, int from, int to) {
-        for (int i = from; i < to; i++) {
-            t[i] = power / (Math.sqrt(Math.max(0, square[i])) - along[i]);
-        }
+        scratch.doubtfulCount = count;
     }
 
     @Override
@@ -161,8 +153,8 @@ final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, scratch);
-        int doubtful = closePlain(rays, shadows, from, to, k, lampSide, scratch);
-        for (int n = 0; n < doubtful; n++) {
+        Pass.run((first, end) -> closePlain(rays, shadows, first, end, k, lampSide, scratch), from, to);
+        for (int n = 0; n < scratch.doubtfulCount; n++) {
             int i = scratch.doubtful[n];
             shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
         }
@@ -183,7 +175,7 @@ final class Spheres extends BoundedSurfaces {
     }
 
     /** Closes the ways that are blocked for certain; lists the rays that need a closer look. */
-    private int closePlain(Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
+    private void closePlain(Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
         double[] square = scratch.square, along = scratch.along, distance = shadows.distance;
         double[] originError = rays.originError;
         boolean[] open = shadows.open;
@@ -202,7 +194,7 @@ final class Spheres extends BoundedSurfaces {
                 }
             }
         }
-        return count;
+        scratch.doubtfulCount = count;
     }
 
     /** Whether a ray clearly starts outside a sphere that it passes by no farther than {@link #CLEAR}. */

@@ -47,9 +47,10 @@ class ImageTest {
     @Test
     void standWhereTheyWereSet() {
         Image image = new Image(3, 2);
-        image.set(2, 1, 1, .5, 0);
+        image.setRow(1, 1, 2, new double[] {9, .2, 1}, new double[] {9, .4, .5}, new double[] {9, .6, 0}, 1);
         assertEquals(0xFF8000, image.rgb(2, 1));
-        assertEquals(0, image.rgb(1, 1));
+        assertEquals(0x336699, image.rgb(1, 1));
+        assertEquals(0, image.rgb(0, 1));
         BufferedImage standard = image.toBufferedImage();
         assertEquals(0xFFFF8000, standard.getRGB(2, 1));
         assertEquals(0xFF000000, standard.getRGB(0, 0));
@@ -59,7 +60,7 @@ class ImageTest {
     void thatAreNoNumberAreCounted() {
         Image image = new Image(1, 1);
         assertEquals(0, image.undefinedPixels());
-        image.set(0, 0, 0, Double.NaN, 0);
+        image.setRow(0, 0, 1, new double[1], new double[] {Double.NaN}, new double[1], 0);
         assertEquals(1, image.undefinedPixels());
     }
 

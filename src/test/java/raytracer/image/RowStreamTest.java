@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
@@ -29,9 +30,13 @@ class RowStreamTest {
             reached.set(top);
             int end = Math.min(height, top + band);
             for (int y = top; y < end; y++) {
-                for (int x = 0; x < width; x++) {
-                    rows.set(x, y, x / (double) width, y / (double) height, .5);
-                }
+                double[] red = new double[width], green = new double[width], blue = new double[width];
+                Arrays.setAll(red, x -> x / (double) width);
+                Arrays.fill(green, y / (double) height);
+                Arrays.fill(blue, .5);
+                // In two parts, as tiles send them.
+                rows.setRow(width / 3, y, width - width / 3, red, green, blue, width / 3);
+                rows.setRow(0, y, width / 3, red, green, blue, 0);
             }
             rows.tileDone(top, (end - top) * width);
         }
@@ -90,7 +95,7 @@ class RowStreamTest {
     void countsPixelsThatAreNoNumber() {
         RowStream rows = new RowStream(2, 1, 1);
         rows.awaitRoom(0);
-        rows.set(0, 0, Double.NaN, 0, 0);
+        rows.setRow(0, 0, 2, new double[] {Double.NaN, 0}, new double[2], new double[2], 0);
         assertEquals(1, rows.undefinedPixels());
     }
 }

@@ -15,11 +15,13 @@ public final class Pictures {
     public static double[] trace(Scene scene) {
         double[] colours = new double[3 * scene.width() * scene.height()];
         Region all = Region.whole(scene.width(), scene.height());
-        new Renderer(Tracer.compile(scene, 2), Sampling.CENTRES, 1, all, (x, y, red, green, blue) -> {
+        new Renderer(Tracer.compile(scene, 2), Sampling.CENTRES, 1, all, (x, y, count, red, green, blue, from) -> {
             int i = 3 * (y * scene.width() + x);
-            colours[i] = red;
-            colours[i + 1] = green;
-            colours[i + 2] = blue;
+            for (int k = from; k < from + count; k++) {
+                colours[i++] = red[k];
+                colours[i++] = green[k];
+                colours[i++] = blue[k];
+            }
         }).render();
         return colours;
     }
