@@ -132,31 +132,30 @@ final class EntryPoints {
      * farther from the tree than {@link Beam} allows, errors are far below the boxes' padding.
      */
     private void pass(Vectors from, Vectors d, int first, int end) {
-        Vectors.toTreeSpace(from.x(), bvh.centreX(), bvh.scale(), 0, origin.x(), first, end);
-        Vectors.toTreeSpace(from.y(), bvh.centreY(), bvh.scale(), 0, origin.y(), first, end);
-        Vectors.toTreeSpace(from.z(), bvh.centreZ(), bvh.scale(), 0, origin.z(), first, end);
-        Vectors.cross(origin.y(), origin.z(), d.y(), d.z(), moment.x(), first, end);
-        Vectors.cross(origin.z(), origin.x(), d.z(), d.x(), moment.y(), first, end);
-        Vectors.cross(origin.x(), origin.y(), d.x(), d.y(), moment.z(), first, end);
+        Vectors.toTreeSpace(from, bvh, 0, 0, 0, origin, first, end);
+        Vectors.cross(origin, d, moment, first, end);
         Arrays.fill(passed, first, end, 0);
         float[] nodes = bvh.nodes();
         for (int point = 0; point < count; point++) {
             int x = box[point], y = x + Bvh.AXIS_STRIDE, z = y + Bvh.AXIS_STRIDE;
             float hx = nodes[x + Bvh.HALF], hy = nodes[y + Bvh.HALF], hz = nodes[z + Bvh.HALF];
             Arrays.fill(slack, first, end, Double.POSITIVE_INFINITY);
-            limit(slack, moment.x(), d.y(), d.z(), nodes[y], nodes[z], hy, hz, first, end);
-            limit(slack, moment.y(), d.z(), d.x(), nodes[z], nodes[x], hz, hx, first, end);
-            limit(slack, moment.z(), d.x(), d.y(), nodes[x], nodes[y], hx, hy, first, end);
+            Pass.run(new Limit(slack, moment.x(), d.y(), d.z(), nodes[y], nodes[z], hy, hz), first, end);
+            Pass.run(new Limit(slack, moment.y(), d.z(), d.x(), nodes[z], nodes[x], hz, hx), first, end);
+            Pass.run(new Limit(slack, moment.z(), d.x(), d.y(), nodes[x], nodes[y], hx, hy), first, end);
             mark(passed, point, slack, first, end);
         }
     }
 
     /** Limits the slack to what there is along one axis, of the other two: of the moment about the box's middle. */
-    private static void limit(double[] slack, double[] moment, double[] dy, double[] dz,
-            double y, double z, double halfY, double halfZ, int first, int end) {
-        for (int i = first; i < end; i++) {
-            slack[i] = Math.min(slack[i], halfY * Math.abs(dz[i]) + halfZ * Math.abs(dy[i])
-                    - Math.abs(moment[i] + z * dy[i] - y * dz[i]));
+    private record Limit(double[] slack, double[] moment, double[] dy, double[] dz,
+            double y, double z, double halfY, double halfZ) implements Pass {
+        @Override
+        public void run(int first, int end) {
+            for (int i = first; i < end; i++) {
+                slack[i] = Math.min(slack[i], halfY * Math.abs(dz[i]) + halfZ * Math.abs(dy[i])
+                        - Math.abs(moment[i] + z * dy[i] - y * dz[i]));
+            }
         }
     }
 

@@ -129,18 +129,16 @@ final class LightBufferBuilder {
         for (int from = bvh.beside(); from < end; from += Hulls.Batch.CAPACITY) {
             int to = Math.min(from + Hulls.Batch.CAPACITY, end);
             hulls.get(from, to, batch);
-            toTreeSpace(batch.a(), to - from);
-            toTreeSpace(batch.b(), to - from);
-            toTreeSpace(batch.c(), to - from);
+            asSeenFromLamp(batch.a(), to - from);
+            asSeenFromLamp(batch.b(), to - from);
+            asSeenFromLamp(batch.c(), to - from);
             look(from, to, sight);
         }
     }
 
-    /** Brings points from world space to the tree's, as seen from the lamp. */
-    private void toTreeSpace(Vectors points, int end) {
-        Vectors.toTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0], points.x(), 0, end);
-        Vectors.toTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1], points.y(), 0, end);
-        Vectors.toTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2], points.z(), 0, end);
+    /** Brings points from world space to the tree's. */
+    private void asSeenFromLamp(Vectors points, int end) {
+        Vectors.toTreeSpace(points, bvh, lamp[0], lamp[1], lamp[2], points, 0, end);
     }
 
     private void look(int from, int to, Sight sight) {

@@ -99,6 +99,17 @@ interface Pass {
         }
     }
 
+    /** out += a . v, where a is the same for all. */
+    record AddDotWith(double ax, double ay, double az, Vectors v, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                out[i] += ax * x[i] + ay * y[i] + az * z[i];
+            }
+        }
+    }
+
     /** out = |v|, as the root of squares. */
     record Length(Vectors v, double[] out) implements Pass {
         @Override

@@ -48,7 +48,7 @@ final class Planes implements Surfaces {
     /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
     private void measure(Rays rays, int k, Scratch scratch) {
         offsets(rays, k, scratch.along, 0, rays.count);
-        Vectors.dot(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, scratch.square, 0, rays.count);
+        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, scratch.square, rays.count);
         divide(scratch.along, scratch.square, scratch.distance, rays.count);
     }
 
@@ -61,6 +61,14 @@ final class Planes implements Surfaces {
             double nx, double ny, double nz, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
             out[i] = (px - ox[i]) * nx + (py - oy[i]) * ny + (pz - oz[i]) * nz;
+        }
+    }
+
+    /** out = d . n */
+    private static void cosines(double nx, double ny, double nz, double[] dx, double[] dy, double[] dz,
+            double[] out, int to) {
+        for (int i = 0; i < to; i++) {
+            out[i] = dx[i] * nx + dy[i] * ny + dz[i] * nz;
         }
     }
 

@@ -29,9 +29,7 @@ final class Scratch {
     final double[] radius = new double[Rays.CAPACITY];
 
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
-    final double[] momentX = new double[Rays.CAPACITY];
-    final double[] momentY = new double[Rays.CAPACITY];
-    final double[] momentZ = new double[Rays.CAPACITY];
+    final Vectors moment = new Vectors();
     double originError;
     double directionError;
     double farthest;

@@ -107,20 +107,17 @@ final class Triangles extends BoundedSurfaces {
     @Override
     void prepareToMeet(Rays rays, int from, int to, Scratch scratch) {
         scratch.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
-        prepare(rays, rays.dx, rays.dy, rays.dz, from, to, scratch);
+        prepare(rays, rays.direction, from, to, scratch);
     }
 
     @Override
     void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
         scratch.directionError = 2 * Rounding.U;
-        prepare(rays, shadows.dx, shadows.dy, shadows.dz, from, to, scratch);
+        prepare(rays, shadows.direction, from, to, scratch);
     }
 
-    private static void prepare(
-            Rays rays, double[] dx, double[] dy, double[] dz, int from, int to, Scratch scratch) {
-        Vectors.cross(rays.oy, rays.oz, dy, dz, scratch.momentX, from, to);
-        Vectors.cross(rays.oz, rays.ox, dz, dx, scratch.momentY, from, to);
-        Vectors.cross(rays.ox, rays.oy, dx, dy, scratch.momentZ, from, to);
+    private static void prepare(Rays rays, Vectors d, int from, int to, Scratch scratch) {
+        Vectors.cross(rays.origin, d, scratch.moment, from, to);
         scratch.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
         scratch.originError = greatest(rays.originError, from, to);
     }
@@ -135,7 +132,7 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
-        double clear = passBy(rays.dx, rays.dy, rays.dz, from, to, k, scratch);
+        double clear = passBy(rays.direction, from, to, k, scratch);
         double[] product = scratch.square;
         for (int i = from; i < to; i++) {
             if (!(product[i] < clear)) {
@@ -146,7 +143,7 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
-        double clear = passBy(shadows.dx, shadows.dy, shadows.dz, from, to, k, scratch);
+        double clear = passBy(shadows.direction, from, to, k, scratch);
         double[] product = scratch.square;
         for (int i = from; i < to; i++) {
             if (shadows.open[i] && !(product[i] < clear)) {
@@ -163,12 +160,12 @@ final class Triangles extends BoundedSurfaces {
      *
      * @return rays are clear of the triangle if they have less than this
      */
-    private double passBy(double[] dx, double[] dy, double[] dz, int from, int to, int k, Scratch scratch) {
+    private double passBy(Vectors d, int from, int to, int k, Scratch scratch) {
         double[] ab = scratch.centreX, bc = scratch.centreY, ca = scratch.centreZ;
-        sides(k, 0, 1, dx, dy, dz, ab, from, to, scratch);
-        sides(k, 1, 2, dx, dy, dz, bc, from, to, scratch);
-        sides(k, 2, 0, dx, dy, dz, ca, from, to, scratch);
-        leastProduct(ab, bc, ca, scratch.square, from, to);
+        sides(k, 0, 1, d, ab, from, to, scratch);
+        sides(k, 1, 2, d, bc, from, to, scratch);
+        sides(k, 2, 0, d, ca, from, to, scratch);
+        Pass.run(new LeastProduct(ab, bc, ca, scratch.square), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
         double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
                 + scratch.farthest;
@@ -183,22 +180,23 @@ final class Triangles extends BoundedSurfaces {
     }
 
     /** By ray, the side of the edge e between two corners of sum s: d . (e x s) - 2 e . m. */
-    private void sides(int k, int a, int b, double[] dx, double[] dy, double[] dz, double[] out, int from, int to,
-            Scratch scratch) {
+    private void sides(int k, int a, int b, Vectors d, double[] out, int from, int to, Scratch scratch) {
         double ax = corner(k, a, 0), ay = corner(k, a, 1), az = corner(k, a, 2);
         double bx = corner(k, b, 0), by = corner(k, b, 1), bz = corner(k, b, 2);
         double ex = bx - ax, ey = by - ay, ez = bz - az;
         double sx = ax + bx, sy = ay + by, sz = az + bz;
         // In one loop it would be too much for C2 to vectorise, see Pass.
-        Vectors.dot(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, dx, dy, dz, out, from, to);
-        Vectors.addDot(
-                -2 * ex, -2 * ey, -2 * ez, scratch.momentX, scratch.momentY, scratch.momentZ, out, from, to);
+        Pass.run(new Pass.DotWith(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, d, out), from, to);
+        Pass.run(new Pass.AddDotWith(-2 * ex, -2 * ey, -2 * ez, scratch.moment, out), from, to);
     }
 
     /** out = min(a b, b c, c a) */
-    private static void leastProduct(double[] a, double[] b, double[] c, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
+    private record LeastProduct(double[] a, double[] b, double[] c, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
+            }
         }
     }
 

@@ -7,37 +7,42 @@ record Vectors(double[] x, double[] y, double[] z) {
         this(new double[Rays.CAPACITY], new double[Rays.CAPACITY], new double[Rays.CAPACITY]);
     }
 
-    /** One component of a x b, of the other two: out = ay bz - az by. */
-    static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = ay[i] * bz[i] - az[i] * by[i];
+    /** out = a x b */
+    static void cross(Vectors a, Vectors b, Vectors out, int from, int to) {
+        Pass.run(new Cross(a.y, a.z, b.y, b.z, out.x), from, to);
+        Pass.run(new Cross(a.z, a.x, b.z, b.x, out.y), from, to);
+        Pass.run(new Cross(a.x, a.y, b.x, b.y, out.z), from, to);
+    }
+
+    /** One component of a cross product, of the other two: out = ay bz - az by. */
+    private record Cross(double[] ay, double[] az, double[] by, double[] bz, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = ay[i] * bz[i] - az[i] * by[i];
+            }
         }
     }
 
     /**
-     * Brings one component of points from world space to a tree's: out = (world - centre) scale - eye.
+     * Brings points from world space to a tree's: out = (world - centre) scale - eye.
      *
-     * @param eye from where the points are seen, in the tree's space
+     * @param eyeX from where the points are seen, in the tree's space; so are the others
      */
-    static void toTreeSpace(double[] world, double centre, double scale, double eye, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = (world[i] - centre) * scale - eye;
-        }
+    static void toTreeSpace(
+            Vectors world, Bvh tree, double eyeX, double eyeY, double eyeZ, Vectors out, int from, int to) {
+        Pass.run(new ToTreeSpace(world.x, tree.centreX(), tree.scale(), eyeX, out.x), from, to);
+        Pass.run(new ToTreeSpace(world.y, tree.centreY(), tree.scale(), eyeY, out.y), from, to);
+        Pass.run(new ToTreeSpace(world.z, tree.centreZ(), tree.scale(), eyeZ, out.z), from, to);
     }
 
-    /** out = a . v, with a the same for all */
-    static void dot(double ax, double ay, double az, double[] x, double[] y, double[] z,
-            double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = ax * x[i] + ay * y[i] + az * z[i];
-        }
-    }
-
-    /** out += a . v */
-    static void addDot(double ax, double ay, double az, double[] x, double[] y, double[] z,
-            double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] += ax * x[i] + ay * y[i] + az * z[i];
+    private record ToTreeSpace(double[] world, double centre, double scale, double eye, double[] out)
+            implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = (world[i] - centre) * scale - eye;
+            }
         }
     }
 }
