@@ -127,7 +127,11 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     @Override
-    public final void block(Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
+    public final Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch) {
+        return (from, to) -> block(rays, shadows, from, to, scratch);
+    }
+
+    private void block(Rays rays, ShadowRays shadows, int first, int end, Scratch scratch) {
         if (bvh.beside() > 0) {
             Pass.run((from, to) -> blockBeside(rays, shadows, from, to, scratch), first, end);
         }

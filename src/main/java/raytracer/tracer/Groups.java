@@ -42,8 +42,17 @@ final class Groups {
         if (count == 1 && met == rays.count) {
             start[0] = 0;
             start[1] = met;
-            return;
+        } else if (met == 0) {
+            rays.count = 0;
+        } else {
+            sort(rays);
+            start[count] = met;
+            rays.select(order, met);
         }
+    }
+
+    /** Lists rays by group. */
+    private void sort(Rays rays) {
         for (int group = 1; group < count; group++) {
             start[group] += start[group - 1];
         }
@@ -53,8 +62,6 @@ final class Groups {
                 order[--start[groupOf[i]]] = i;
             }
         }
-        start[count] = met;
-        rays.select(order, met);
     }
 
     private int makeOne(Rays rays) {

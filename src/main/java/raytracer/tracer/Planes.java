@@ -102,7 +102,11 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+    public Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch) {
+        return (from, to) -> block(rays, shadows, from, to, scratch);
+    }
+
+    private void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
         for (int k = 0; k < count; k++) {
             int side = sideOfLamp(shadows.lamp, k);
             if (side != 0) {

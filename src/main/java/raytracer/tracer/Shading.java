@@ -50,8 +50,7 @@ final class Shading {
         this.lamps = lamps;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        block = surfaces.stream().map(kind -> (Pass) (from, to) -> kind.block(rays, shadows, from, to, scratch))
-                .toArray(Pass[]::new);
+        block = surfaces.stream().map(kind -> kind.blocking(rays, shadows, scratch)).toArray(Pass[]::new);
         ShadowRays s = shadows;
         findLambert = new Pass.Dot(rays.normal, s.direction, s.lambert);
         // The half vector, not of length 1: the cosine is divided by its length instead.

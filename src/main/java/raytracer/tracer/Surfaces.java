@@ -12,8 +12,8 @@ sealed interface Surfaces permits Planes, BoundedSurfaces {
     /** Bounds the error of the distance at which a ray meets the surface in a slot. */
     double distanceError(Rays rays, int ray, int slot, double t);
 
-    /** Closes every open shadow ray, of those from one index to another, that one of these blocks between its ends. */
-    void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch);
+    /** What closes every open shadow ray that one of these blocks between its ends. */
+    Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch);
 
     /** Whether a slot is one of these. */
     boolean owns(int slot);

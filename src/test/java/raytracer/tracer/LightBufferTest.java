@@ -321,7 +321,7 @@ class LightBufferTest {
         ShadowRays shadows = new ShadowRays(rays);
         shadows.aim(lamp, 0, Rays.CAPACITY);
         Arrays.fill(shadows.open, true);
-        surfaces.block(rays, shadows, 0, Rays.CAPACITY, scratch);
+        surfaces.blocking(rays, shadows, scratch).run(0, Rays.CAPACITY);
         return shadows;
     }
 }

@@ -63,7 +63,7 @@ public final class Probe {
         shadows.dy[0] = unit.y();
         shadows.dz[0] = unit.z();
         shadows.open[0] = true;
-        surfaces.forEach(kind -> kind.block(rays, shadows, 0, 1, scratch));
+        surfaces.forEach(kind -> kind.blocking(rays, shadows, scratch).run(0, 1));
         return shadows.open[0];
     }
 
