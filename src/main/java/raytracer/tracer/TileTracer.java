@@ -19,10 +19,13 @@ public final class TileTracer {
      * to little use (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
     private static final int COLD_CAPACITY = 40;
-    private static final int COLD_RAYS = 6000 * COLD_CAPACITY;
+    private static final int COLD_RAYS = 4000 * COLD_CAPACITY;
 
-    /** Rays from the eye that any tracer has traced: HotSpot too counts for the whole process. */
-    private static final AtomicLong TRACED = new AtomicLong();
+    /**
+     * Rays that have met something, in any tracer until it is warm: HotSpot too counts for the whole process, and most
+     * passes are over what was met.
+     */
+    private static final AtomicLong MET = new AtomicLong();
 
     private final List<Surfaces> surfaces;
     private final Material[] material;
@@ -63,7 +66,7 @@ public final class TileTracer {
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
-        int most = TRACED.getAndAdd(all.count) < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
+        int most = MET.get() < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
         for (int from = 0; from < all.count; from += most) {
             trace(from, Math.min(from + most, all.count));
         }
@@ -108,6 +111,9 @@ public final class TileTracer {
     /** Puts rays that have met surfaces of the same look together; those that have met none leave. */
     private void arrange() {
         groups.arrange(rays);
+        if (MET.get() < COLD_RAYS) {
+            MET.addAndGet(rays.count);
+        }
     }
 
     /** Takes every ray there, and notes what it has met. */
