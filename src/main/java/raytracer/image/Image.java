@@ -51,20 +51,21 @@ public final class Image implements PixelSink {
     /** Sets pixels; each component is cut to [0, 1] and rounded to the nearest of 256 steps. */
     @Override
     public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
-        undefined.add(quantise(red, green, blue, from, count, bytes, COMPONENTS * (y * width + x)));
+        quantise(red, green, blue, from, count, bytes, COMPONENTS * (y * width + x), undefined);
     }
 
-    /** Turns pixels into bytes, from the one at index {@code to} on; returns how many of them are no number. */
-    static int quantise(double[] red, double[] green, double[] blue, int from, int count, byte[] bytes, int to) {
-        int undefined = 0;
+    /** Turns pixels into bytes, from the one at index {@code to} on, and counts those that are no number. */
+    static void quantise(double[] red, double[] green, double[] blue, int from, int count, byte[] bytes, int to,
+            LongAdder undefined) {
         int at = to;
         for (int i = from; i < from + count; i++) {
             bytes[at++] = quantise(red[i]);
             bytes[at++] = quantise(green[i]);
             bytes[at++] = quantise(blue[i]);
-            undefined += Double.isNaN(red[i] + green[i] + blue[i]) ? 1 : 0;
+            if (Double.isNaN(red[i] + green[i] + blue[i])) {
+                undefined.increment();
+            }
         }
-        return undefined;
     }
 
     /** A pixel as 0xRRGGBB. */

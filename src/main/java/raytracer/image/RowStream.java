@@ -72,7 +72,7 @@ public final class RowStream implements PixelSink, RenderedImage {
     @Override
     public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
         byte[] bytes = bands.get(place(y)).bytes;
-        undefined.add(Image.quantise(red, green, blue, from, count, bytes, COMPONENTS * (y % bandRows * width + x)));
+        Image.quantise(red, green, blue, from, count, bytes, COMPONENTS * (y % bandRows * width + x), undefined);
     }
 
     @Override

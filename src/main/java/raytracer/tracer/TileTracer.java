@@ -40,7 +40,7 @@ public final class TileTracer {
 
     private final Pass starting = this::start;
 
-    /** In turn from one place, as passes are run, so that HotSpot compiles each of them alone. */
+    /** In turn from one place, which runs any of them, so that HotSpot compiles each alone. */
     private final Runnable[] steps = {
         this::findNearest, this::arrange, this::arrive, this::shade, this::addToSamples, this::reflect};
 
