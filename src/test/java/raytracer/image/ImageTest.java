@@ -58,10 +58,13 @@ class ImageTest {
 
     @Test
     void thatAreNoNumberAreCounted() {
-        Image image = new Image(1, 1);
+        Image image = new Image(5, 1);
+        double nan = Double.NaN;
+        image.setRow(0, 0, 1, new double[1], new double[1], new double[1], 0);
         assertEquals(0, image.undefinedPixels());
-        image.setRow(0, 0, 1, new double[1], new double[] {Double.NaN}, new double[1], 0);
-        assertEquals(1, image.undefinedPixels());
+        image.setRow(1, 0, 4, new double[] {nan, 0, 0, nan}, new double[] {0, nan, 0, nan},
+                new double[] {0, 0, nan, 0}, 0);
+        assertEquals(4, image.undefinedPixels());
     }
 
     @Test
