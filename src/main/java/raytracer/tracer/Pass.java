@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * Arithmetic on all of a tile's numbers or vectors, from one index up to before another. Each of its loops is so small
  * that HotSpot's C2 turns it into vector instructions. It gives up on comparisons; and it packs into one instruction
- * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of fewer
- * on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
+ * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of
+ * fewer on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
  *
  * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Pass, int, int)}, so that each kind
  * is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times over,
