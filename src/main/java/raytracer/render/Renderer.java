@@ -11,7 +11,6 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 
 /**
@@ -63,12 +62,13 @@ public final class Renderer {
     }
 
     private Sampler newSampler() {
-        TileTracer tileTracer = tracer.newTileTracer();
-        if (sampling instanceof Sampling.Sequence sequence) {
-            return new SequenceSampler(tileTracer, sequence);
-        }
-        int n = ((Sampling.Grid) sampling).n();
-        return n == 1 ? new CentreSampler(tileTracer) : new GridSampler(tileTracer, n);
+        return sampling instanceof Sampling.Grid grid
+                ? newGridSampler(grid.n())
+                : new SequenceSampler(tracer.newTileTracer(), (Sampling.Sequence) sampling);
+    }
+
+    private Sampler newGridSampler(int n) {
+        return n == 1 ? new CentreSampler(tracer.newTileTracer()) : new GridSampler(tracer.newTileTracer(), n);
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
@@ -86,7 +86,7 @@ public final class Renderer {
         double[] all = Arrays.stream(variances).flatMapToDouble(Arrays::stream).toArray();
         SampleBudget budget = SampleBudget.plan(all, pixels, error, AdaptiveSampler.firstSamples(error));
         return pilot.plus(onAllThreads(pool, () -> work(budget.grid() > 0
-                ? new GridSampler(tracer.newTileTracer(), budget.grid())
+                ? newGridSampler(budget.grid())
                 : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));
     }
 

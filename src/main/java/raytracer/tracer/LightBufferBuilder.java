@@ -136,7 +136,7 @@ final class LightBufferBuilder {
         }
     }
 
-    /** Brings points from world space to the tree's. */
+    /** Brings points from world space to the tree's, with the lamp as the origin. */
     private void asSeenFromLamp(Vectors points, int end) {
         Vectors.toTreeSpace(points, bvh, lamp[0], lamp[1], lamp[2], points, 0, end);
     }

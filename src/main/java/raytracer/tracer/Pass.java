@@ -16,7 +16,7 @@ interface Pass {
 
     void run(int from, int to);
 
-    /** Runs a pass, of which HotSpot does not know the kind, even in a method that has just made it. */
+    /** Runs a pass without HotSpot's knowing of what kind it is, even in a method that has just made it. */
     static void run(Pass pass, int from, int to) {
         unknown(pass, 2).run(from, to);
     }
@@ -31,7 +31,7 @@ interface Pass {
         @Override
         public void run(int from, int to) {
             for (Pass pass : passes) {
-                // Of any kind: apart already.
+                // Not by way of run: here HotSpot has seen passes of any kind.
                 pass.run(from, to);
             }
         }

@@ -1,9 +1,9 @@
 package raytracer.tracer;
 
 /**
- * The perpendicular from a point c to rays: how far along a ray its origin is from the foot, and by how much its square
- * is less than another. Rays that start at the same point come to the same numbers, to the last bit, from half as many
- * ({@link Pass.DotWith} and {@link InsideOfOne}).
+ * The perpendicular from a point c to rays: how far along a ray its origin is from the foot, by how much its square is
+ * less than another, and where a ray so meets the sphere around c. Rays that start at the same point come to the same
+ * numbers, to the last bit, from half as many ({@link Pass.DotWith} and {@link InsideOfOne}).
  */
 final class Perpendicular {
 
@@ -28,7 +28,7 @@ final class Perpendicular {
         public void run(int from, int to) {
             double[] ox = origin.x(), oy = origin.y(), oz = origin.z();
             double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
-            // Too large for C2 to vectorise, see Pass; three loops instead are 1 % faster, and 2 % slower when cold.
+            // Too large for C2 to vectorise, see Pass; but three loops instead are hardly faster, and compiled later.
             for (int i = from; i < to; i++) {
                 double ex = ox[i] - cx - along[i] * dx[i];
                 double ey = oy[i] - cy - along[i] * dy[i];
@@ -54,7 +54,8 @@ final class Perpendicular {
     }
 
     /**
-     * How far away rays that start at the same point outside a sphere first meet it, if they do.
+     * How far away rays that start at the same point outside a sphere first meet it, if they do: the same as
+     * {@link Spheres} computes for one ray.
      *
      * @param power  of that point
      * @param inside with the square of the radius as the most

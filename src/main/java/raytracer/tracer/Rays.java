@@ -17,12 +17,6 @@ final class Rays {
     /** In place of a slot: the ray leaves the eye, or it meets nothing. */
     static final int NONE = -1;
 
-    private static final int[] NOWHERE = new int[CAPACITY];
-
-    static {
-        Arrays.fill(NOWHERE, NONE);
-    }
-
     int count;
 
     /** Whether all start at the eye: then they have their origin in common, and leave no surface. */
@@ -104,7 +98,7 @@ final class Rays {
         System.arraycopy(samples.x, from, nx, 0, count);
         System.arraycopy(samples.y, from, ny, 0, count);
         Pass.run(aiming, 0, count);
-        System.arraycopy(NOWHERE, 0, source, 0, count);
+        Arrays.fill(source, 0, count, NONE);
         for (int i = 0; i < count; i++) {
             pixel[i] = from + i;
         }
@@ -118,7 +112,7 @@ final class Rays {
 
     /** Forgets what was met. */
     void clearHits() {
-        System.arraycopy(NOWHERE, 0, hit, 0, count);
+        Arrays.fill(hit, 0, count, NONE);
         Pass.run(new Pass.Fill(distance, Double.POSITIVE_INFINITY), 0, count);
     }
 

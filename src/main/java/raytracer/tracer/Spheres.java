@@ -299,7 +299,7 @@ final class Spheres extends BoundedSurfaces {
         scratch.sphereArrival.run(from, to);
     }
 
-    /** Apart, as C2 compiles a constructor into whoever calls it, ever so rarely. */
+    /** Apart: C2 compiles a constructor into its caller, however rarely it is called. */
     private void prepareToArrive(Rays rays, Scratch scratch) {
         scratch.sphereArrival = new SphereArrival(data, slot(0), rays, scratch);
     }
