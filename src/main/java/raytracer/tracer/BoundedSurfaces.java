@@ -26,15 +26,18 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
 
     /**
-     * Looks along a ray through (x, y, z) in the tree's space, for {@link #isInSight}.
+     * Looks along a ray through (x, y, z) in the tree's space, for {@link #inSight}.
      *
      * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
      */
     abstract void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
             double originError, double directionError, Scratch scratch);
 
-    /** Whether the ray in {@link #look} may meet the surface with this number among these: at a glance. */
-    abstract boolean isInSight(int k, Scratch scratch);
+    /**
+     * Which of a leaf's surfaces the ray in {@link #look} may meet, at a glance: a bit for each, the first one's lowest.
+     * All are looked at without a branch, which the processor would often guess wrong.
+     */
+    abstract int inSight(int first, int end, Scratch scratch);
 
     final TreeFacts facts() {
         return TreeFacts.of(this instanceof Spheres ? "spheres" : "triangles", bvh);
@@ -118,10 +121,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     private void meetOnTheWay(Rays rays, int ray, Scratch scratch) {
         BvhWalk walk = scratch.walk;
         while (walk.nextLeaf(rays.reach(ray))) {
-            for (int k = walk.first(); k < walk.end(); k++) {
-                if (isInSight(k, scratch)) {
-                    meet(rays, ray, k);
-                }
+            for (int left = inSight(walk.first(), walk.end(), scratch); left != 0; left &= left - 1) {
+                meet(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
             }
         }
     }
@@ -206,8 +207,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     private boolean anyBlocks(Rays rays, ShadowRays shadows, int ray, Scratch scratch) {
         BvhWalk walk = scratch.walk;
         while (walk.nextLeaf(shadows.distance[ray])) {
-            for (int k = walk.first(); k < walk.end(); k++) {
-                if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
+            for (int left = inSight(walk.first(), walk.end(), scratch); left != 0; left &= left - 1) {
+                if (blocks(rays, shadows, ray, walk.first() + Integer.numberOfTrailingZeros(left))) {
                     return true;
                 }
             }
@@ -231,7 +232,7 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         LightBuffer.Cells cells = scratch.cells;
         for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
             int k = buffer.thing(entry);
-            if (isInSight(k, scratch) && blocks(rays, shadows, ray, k)) {
+            if (inSight(k, k + 1, scratch) != 0 && blocks(rays, shadows, ray, k)) {
                 return true;
             }
         }

@@ -87,8 +87,8 @@ final class Spheres extends BoundedSurfaces {
 
     /** A leaf is one sphere, whose box the ray has met. */
     @Override
-    boolean isInSight(int k, Scratch scratch) {
-        return true;
+    int inSight(int first, int end, Scratch scratch) {
+        return 1;
     }
 
     @Override

@@ -81,8 +81,22 @@ final class TriangleSieve {
         numbers[at + 2] = (float) z;
     }
 
-    /** Whether a line may pass the edges of triangle k all on one side: it does if {@link Triangles} says so. */
-    boolean lets(Line line, int k) {
+    /**
+     * Which of some triangles a line may pass with all edges on one side, a bit for each, the first one's lowest: it
+     * does if {@link Triangles} says so.
+     *
+     * @param end at most 32 behind the first
+     */
+    int let(Line line, int first, int end) {
+        int let = 0;
+        for (int k = end - 1; k >= first; k--) {
+            let = let << 1 | ~clear(line, k) >>> 31;
+        }
+        return let;
+    }
+
+    /** Negative if a line clearly passes edges of triangle k on different sides. */
+    private int clear(Line line, int k) {
         float[] n = numbers;
         int at = STRIDE * k;
         float mx = line.momentX, my = line.momentY, mz = line.momentZ, dx = line.dx, dy = line.dy, dz = line.dz;
@@ -97,7 +111,7 @@ final class TriangleSieve {
                 | Float.floatToRawIntBits(ca + bound);
         int right = Float.floatToRawIntBits(bound - ab) | Float.floatToRawIntBits(bound - bc)
                 | Float.floatToRawIntBits(bound - ca);
-        return (left & right) >= 0;
+        return left & right;
     }
 
     /** A ray's line: its direction and moment, origin x direction, in tree space. One object serves ray after ray. */

@@ -100,8 +100,8 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    boolean isInSight(int k, Scratch scratch) {
-        return sieve.lets(scratch.line, k);
+    int inSight(int first, int end, Scratch scratch) {
+        return sieve.let(scratch.line, first, end);
     }
 
     @Override

@@ -1,11 +1,13 @@
 package raytracer.tracer;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.scene.Mesh;
@@ -38,6 +40,10 @@ class TriangleSieveTest {
         TriangleSieve sieve = new TriangleSieve(mesh, bvh);
         IntStream.range(0, COUNT).forEach(sieve::set);
         return sieve;
+    }
+
+    private static boolean lets(TriangleSieve sieve, TriangleSieve.Line line, int k) {
+        return sieve.let(line, k, k + 1) == 1;
     }
 
     private static double between(double a, double b, double c, double u, double v) {
@@ -74,8 +80,8 @@ class TriangleSieveTest {
                 continue;
             }
             line.take(walk.x(), walk.y(), walk.z(), walk.start(), way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
-            assertTrue(sieve.lets(line, k), "ray " + i + " at triangle " + k);
-            stopped += sieve.lets(line, (k + 1) % COUNT) ? 0 : 1;
+            assertTrue(lets(sieve, line, k), "ray " + i + " at triangle " + k);
+            stopped += lets(sieve, line, (k + 1) % COUNT) ? 0 : 1;
         }
         assertTrue(size < 1e-10 || stopped > 10_000, stopped + " stopped that pass another triangle by");
     }
@@ -99,8 +105,31 @@ class TriangleSieveTest {
             if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
                 line.take(walk.x(), walk.y(), walk.z(), walk.start(), d.x(), d.y(), d.z(),
                         error * bvh.scale(), Rounding.EYE_DIRECTION);
-                assertTrue(sieve.lets(line, k), "ray " + i + " at triangle " + k);
+                assertTrue(lets(sieve, line, k), "ray " + i + " at triangle " + k);
             }
         }
+    }
+
+    @Test
+    @DisplayName("tells of each triangle of a leaf what it tells of that triangle alone")
+    void tellsOfEachWhatItTellsOfOneAlone() {
+        Random random = new Random(7);
+        Mesh mesh = triangles(random, 0, 1);
+        Bvh bvh = tree(mesh);
+        TriangleSieve sieve = sieve(mesh, bvh);
+        TriangleSieve.Line line = new TriangleSieve.Line();
+        int some = 0;
+        for (int i = 0; i < 2000; i++) {
+            Vector d = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            line.take(0, 0, 0, 0, d.x(), d.y(), d.z(), 0, Rounding.EYE_DIRECTION);
+            int first = random.nextInt(COUNT - Bvh.LEAF_SIZE), end = first + random.nextInt(Bvh.LEAF_SIZE + 1);
+            int let = sieve.let(line, first, end);
+            for (int k = first; k < end; k++) {
+                assertEquals(lets(sieve, line, k), (let >> k - first & 1) == 1, "ray " + i + " at triangle " + k);
+            }
+            assertEquals(0, let >>> end - first, "ray " + i);
+            some += Integer.bitCount(let);
+        }
+        assertTrue(some > 500, some + " let through");
     }
 }
