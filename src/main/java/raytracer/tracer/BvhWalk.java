@@ -151,7 +151,7 @@ final class BvhWalk {
                 end = Bvh.leafEnd(child);
                 return true;
             }
-            visit(child, reachBits);
+            visit(child);
         }
         return false;
     }
@@ -166,11 +166,11 @@ final class BvhWalk {
         return end;
     }
 
-    private void visit(int node, int reachBits) {
+    private void visit(int node) {
         float[] nodes = bvh.nodes();
         int at = node * Bvh.NODE_STRIDE;
-        int a0 = key(nodes, at, reachBits, 0), a1 = key(nodes, at, reachBits, 1);
-        int a2 = key(nodes, at, reachBits, 2), a3 = key(nodes, at, reachBits, 3);
+        int a0 = key(nodes, at, 0), a1 = key(nodes, at, 1);
+        int a2 = key(nodes, at, 2), a3 = key(nodes, at, 3);
         // Three exchanges bring the nearest to the top; sorting all took longer than it saved. Misses are overwritten.
         int b0 = Math.min(a0, a1), b1 = Math.max(a0, a1), b2 = Math.min(a2, a3), b3 = Math.max(a2, a3);
         int c0 = Math.min(b0, b2), c2 = Math.max(b0, b2);
@@ -204,7 +204,7 @@ final class BvhWalk {
      * care for NaN that floats' min and max would take, and without a branch, which would be mispredicted half of the
      * time. Boxes are told by middle and half width, for then near and far are where they are for any direction.
      */
-    private int key(float[] nodes, int node, int reachBits, int child) {
+    private int key(float[] nodes, int node, int child) {
         int at = node + child;
         float x = Math.fma(nodes[at], ix, noix);
         float y = Math.fma(nodes[at + Bvh.AXIS_STRIDE], iy, noiy);
@@ -219,7 +219,7 @@ final class BvhWalk {
         int farY = Float.floatToRawIntBits(Math.fma(halfY, aiy, y));
         int farZ = Float.floatToRawIntBits(Math.fma(halfZ, aiz, z));
         int near = Math.max(Math.max(nearX, nearY), Math.max(nearZ, 0));
-        int far = Math.min(Math.min(farX, farY), Math.min(farZ, reachBits));
+        int far = Math.min(Math.min(farX, farY), farZ);
         // Negative if far is, or if it is before near.
         int missed = (far - near | far) >> 31;
         return near & ~WHICH | child | missed & MISSED;

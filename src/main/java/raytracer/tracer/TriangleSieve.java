@@ -4,7 +4,7 @@ import raytracer.scene.Mesh;
 
 /**
  * Tells quickly that a ray's line clearly passes a triangle by: floats, few of them, and no branch. Each triangle is
- * 16 numbers in the space of its {@link Bvh}: two edges, a x b, b x c and c x a of its corners, and a bound on what an
+ * 16 numbers in the space of its {@link Bvh}: two edges, a x b, b x c and a x c of its corners, and a bound on what an
  * edge is long. The side on which a line passes an edge is direction . (a x b) + moment . (b - a) (Pluecker
  * coordinates; Shevtsov, Soupikov and Kapustin, Ray-Triangle Intersection Algorithm for Modern CPU Architectures,
  * 2007, who decide by it; here it only sorts out).
@@ -51,7 +51,7 @@ final class TriangleSieve {
         set(at + 3, cx - bx, cy - by, cz - bz);
         setCross(at + 6, ax, ay, az, bx, by, bz);
         setCross(at + 9, bx, by, bz, cx, cy, cz);
-        setCross(at + 12, cx, cy, cz, ax, ay, az);
+        setCross(at + 12, ax, ay, az, cx, cy, cz);
         double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
                 + Math.abs(cx - bx) + Math.abs(cy - by) + Math.abs(cz - bz);
         numbers[at + 15] = Math.max((float) edges, SHORTEST);
@@ -89,8 +89,8 @@ final class TriangleSieve {
      */
     int let(Line line, int first, int end) {
         int let = 0;
-        for (int k = end - 1; k >= first; k--) {
-            let = let << 1 | ~clear(line, k) >>> 31;
+        for (int k = first; k < end; k++) {
+            let |= ~clear(line, k) >>> 31 << k - first;
         }
         return let;
     }
@@ -100,17 +100,17 @@ final class TriangleSieve {
         float[] n = numbers;
         int at = STRIDE * k;
         float mx = line.momentX, my = line.momentY, mz = line.momentZ, dx = line.dx, dy = line.dy, dz = line.dz;
-        float first = mx * n[at] + my * n[at + 1] + mz * n[at + 2];
-        float second = mx * n[at + 3] + my * n[at + 4] + mz * n[at + 5];
+        float first = Math.fma(mx, n[at], Math.fma(my, n[at + 1], mz * n[at + 2]));
+        float second = Math.fma(mx, n[at + 3], Math.fma(my, n[at + 4], mz * n[at + 5]));
         float ab = Math.fma(dx, n[at + 6], Math.fma(dy, n[at + 7], Math.fma(dz, n[at + 8], first)));
         float bc = Math.fma(dx, n[at + 9], Math.fma(dy, n[at + 10], Math.fma(dz, n[at + 11], second)));
-        float ca = Math.fma(dx, n[at + 12], Math.fma(dy, n[at + 13], Math.fma(dz, n[at + 14], -(first + second))));
+        float ac = Math.fma(dx, n[at + 12], Math.fma(dy, n[at + 13], Math.fma(dz, n[at + 14], first + second)));
         float bound = n[at + 15] * line.tolerance;
         // The sign bits of what is clearly on one side, and clearly on the other.
         int left = Float.floatToRawIntBits(ab + bound) | Float.floatToRawIntBits(bc + bound)
-                | Float.floatToRawIntBits(ca + bound);
+                | Float.floatToRawIntBits(bound - ac);
         int right = Float.floatToRawIntBits(bound - ab) | Float.floatToRawIntBits(bound - bc)
-                | Float.floatToRawIntBits(bound - ca);
+                | Float.floatToRawIntBits(ac + bound);
         return left & right;
     }
 
