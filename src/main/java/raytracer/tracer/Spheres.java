@@ -85,10 +85,10 @@ final class Spheres extends BoundedSurfaces {
     void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
             double originError, double directionError, Scratch scratch) { }
 
-    /** A leaf is one sphere, whose box the ray has met. */
+    /** All: a leaf is one sphere, whose box the ray has met. */
     @Override
     int inSight(int first, int end, Scratch scratch) {
-        return 1;
+        return (1 << end - first) - 1;
     }
 
     @Override
