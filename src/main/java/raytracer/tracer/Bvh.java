@@ -36,7 +36,7 @@ record Bvh(int[] order, int beside, float[] nodes, int root,
     static final int EMPTY = -1;
 
     /** The most things in a leaf. */
-    static final int LEAF_SIZE = 16;
+    static final int LEAF_SIZE = 8;
 
     /**
      * By how much each box is larger than what it holds, on every side, in tree space. With v = 2^-24, floats' unit
