@@ -110,6 +110,23 @@ class BvhTest {
         assertTrue(met > 5_000, met + " met");
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {1, -1})
+    void leadsARayToTheNearestOfANodesChildrenFirst(double along) {
+        double[][] boxes = new double[4 * Bvh.LEAF_SIZE][];
+        for (int k = 0; k < boxes.length; k++) {
+            double x = 10 * (k % 4), y = .1 * (k / 4);
+            boxes[k] = new double[] {x, y, 0, x + 1, y + .1, .1};
+        }
+        Bvh bvh = build(boxes, 1);
+        assertEquals(1, bvh.nodes().length / Bvh.NODE_STRIDE);
+        BvhWalk walk = new BvhWalk();
+        assertTrue(walk.start(bvh, along > 0 ? -5 : 45, .05, .05, along, 0, 0));
+        walk.enter(bvh.root(), 0);
+        assertTrue(walk.nextLeaf(Double.POSITIVE_INFINITY));
+        assertEquals(along > 0 ? 0 : 3, bvh.order()[walk.first()] % 4);
+    }
+
     @Test
     void hasNoFreePlaceBesideALeafThatCouldBeTwo() {
         Bvh bvh = build(cubes(3000, 2, .05, 0, 1), 2);
