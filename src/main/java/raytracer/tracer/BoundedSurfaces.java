@@ -34,8 +34,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
             double originError, double directionError, Scratch scratch);
 
     /**
-     * Which of a leaf's surfaces the ray in {@link #look} may meet, at a glance: a bit for each, the first one's lowest.
-     * All are looked at without a branch, which the processor would often guess wrong.
+     * Which of some surfaces, no more than a leaf has, the ray in {@link #look} may meet, at a glance: a bit for each,
+     * the first one's lowest. No branch depends on what is seen, for the processor would often guess it wrong.
      */
     abstract int inSight(int first, int end, Scratch scratch);
 

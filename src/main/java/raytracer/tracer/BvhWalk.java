@@ -23,7 +23,8 @@ final class BvhWalk {
     private double start;
     private double x, y, z;
 
-    // The reciprocal of the direction, its magnitude, that negated, and the origin times the reciprocal, negated.
+    // The reciprocal of the direction, its magnitude, that negated (C2 would take an instruction to negate the other
+    // factor), and the origin times the reciprocal, negated.
     private float ix, iy, iz;
     private float aix, aiy, aiz;
     private float naix, naiy, naiz;
@@ -166,6 +167,7 @@ final class BvhWalk {
         return end;
     }
 
+    /** Puts down all children that the ray meets: whether they are in reach is asked when they are taken up. */
     private void visit(int node) {
         float[] nodes = bvh.nodes();
         int at = node * Bvh.NODE_STRIDE;
