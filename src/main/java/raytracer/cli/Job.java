@@ -97,8 +97,8 @@ final class Job {
             err.print(stats.timesInWords());
         }
         if (!options.quiet()) {
-            err.printf("%s %dx%d in %.1f s, %.1f Mrays%n", destination, region.width(), region.height(),
-                    whole.millis() / 1e3, stats.rays.total() / 1e6);
+            err.println(destination + " " + region.width() + "x" + region.height() + " in "
+                    + tenths(whole.millis() / 1e3) + " s, " + tenths(stats.rays.total() / 1e6) + " Mrays");
         }
         if (reference == null) {
             return Main.DONE;
@@ -106,6 +106,12 @@ final class Job {
         // Standard output may hold the picture: then words about it go elsewhere.
         return reference.compare(((Picture.Whole) picture).image().toBufferedImage(), destination,
                 destination.file() == null ? err : out);
+    }
+
+    /** With one decimal; the library's formatter would take longer to load than a small picture to render. */
+    private static String tenths(double value) {
+        long tenths = Math.round(10 * value);
+        return tenths / 10 + "." + tenths % 10;
     }
 
     private ParsedScene parse() throws SceneException, IOException {

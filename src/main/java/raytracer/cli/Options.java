@@ -30,11 +30,11 @@ record Options(List<String> scenes, String output, int width, int height, int ma
     private static final int MOST_THREADS = 1024;
     private static final int MOST_SECONDS = 24 * 60 * 60;
 
-    private static final Pattern SIZE = Pattern.compile("(\\d{1,10})[xX](\\d{1,10})");
-    private static final Pattern REGION = Pattern.compile("(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})");
+    private static final String SIZE = "(\\d{1,10})[xX](\\d{1,10})";
+    private static final String REGION = "(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})";
 
     /** A number or a fraction. */
-    private static final Pattern ERROR = Pattern.compile("auto:(\\d*\\.?\\d+)(?:/(\\d*\\.?\\d+))?");
+    private static final String ERROR = "auto:(\\d*\\.?\\d+)(?:/(\\d*\\.?\\d+))?";
 
     static Options parse(String[] args) throws UsageException {
         return new Reader(List.of(args).iterator()).read();
@@ -106,13 +106,19 @@ record Options(List<String> scenes, String output, int width, int height, int ma
             if (chartSeconds > 0 && chart == null) {
                 throw new UsageException("--chart-seconds goes with --chart, found none");
             }
+            if (chart != null) {
+                requireSenseOfChart();
+            }
+        }
+
+        private void requireSenseOfChart() throws UsageException {
             String single = reference != null ? "--compare" : region != null ? "--region" : output != null ? "--output"
                     : !sampling.equals(Sampling.CENTRES) ? "--samples" : repeat > 1 ? "--repeat" : null;
-            if (chart != null && single != null) {
+            if (single != null) {
                 throw new UsageException("--chart goes without " + single + ": it tries many settings in turns,"
                         + " and writes a chart in place of a picture");
             }
-            if (chart != null && !chart.endsWith(".svg")) {
+            if (!chart.endsWith(".svg")) {
                 throw new UsageException("expected the file of --chart to end in '.svg', found '" + chart + "'");
             }
         }
@@ -156,7 +162,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
         }
 
         private void size(String text) throws UsageException {
-            Matcher m = SIZE.matcher(text);
+            Matcher m = Pattern.compile(SIZE).matcher(text);
             if (!m.matches()) {
                 throw new UsageException("expected --size to be like 640x480, found '" + text + "'");
             }
@@ -165,7 +171,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
         }
 
         private static Region region(String text) throws UsageException {
-            Matcher m = REGION.matcher(text);
+            Matcher m = Pattern.compile(REGION).matcher(text);
             if (!m.matches()) {
                 throw new UsageException("expected --region to be like 0,120,640,60: column, row, width and height of a"
                         + " part of the picture, found '" + text + "'");
@@ -183,7 +189,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
             if (!text.startsWith("auto:")) {
                 return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MOST));
             }
-            Matcher m = ERROR.matcher(text);
+            Matcher m = Pattern.compile(ERROR).matcher(text);
             double error = !m.matches() ? 0
                     : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
             if (!(error >= Sampling.Adaptive.LEAST && error < 1)) {

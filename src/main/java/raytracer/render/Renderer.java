@@ -136,12 +136,18 @@ public final class Renderer {
         return sampler.counts();
     }
 
+    /** Counts pixels from a region's corner. */
+    private record InRegion(Region region, PixelSink sink) implements PixelSink {
+        @Override
+        public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
+            sink.setRow(x - region.x(), y - region.y(), count, red, green, blue, from);
+        }
+    }
+
     private RayCounts work(Sampler sampler) {
-        int x0 = tiles.region().x(), y0 = tiles.region().y();
-        PixelSink inRegion = (x, y, count, red, green, blue, from) ->
-                sink.setRow(x - x0, y - y0, count, red, green, blue, from);
+        PixelSink inRegion = new InRegion(tiles.region(), sink);
         for (long tile; (tile = tiles.next(1)) < tiles.count(); ) {
-            int row = tiles.top(tile) - y0;
+            int row = tiles.top(tile) - tiles.region().y();
             sink.awaitRoom(row);
             sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), inRegion);
             sink.tileDone(row, tiles.pixels(tile));

@@ -38,9 +38,9 @@ final class Operands {
     }
 
     /** Reads the operands of the command whose keyword is the line's current word. */
-    void read(String command, String[] operandNames) throws Rejected {
-        readKeyword(command, operandNames);
-        for (int i = 0; i < operandNames.length; i++) {
+    void read(Command command) throws Rejected {
+        readKeyword(command);
+        for (int i = 0; i < names.length; i++) {
             double value = line.nextNumber();
             from[i] = line.from();
             to[i] = line.to();
@@ -50,13 +50,13 @@ final class Operands {
             values[i] = value;
         }
         if (line.nextWord()) {
-            throw wrongCount(operandNames.length);
+            throw wrongCount(names.length);
         }
     }
 
     /** Reads the rest of the line as one text: an operand that may hold blanks. */
-    String readText(String command, String[] operandNames) throws Rejected {
-        readKeyword(command, operandNames);
+    String readText(Command command) throws Rejected {
+        readKeyword(command);
         if (!line.rest()) {
             throw reject(keywordTo, keywordTo + 1, "expected a name after '" + keyword + "', found none");
         }
@@ -65,9 +65,9 @@ final class Operands {
         return line.word();
     }
 
-    private void readKeyword(String command, String[] operandNames) {
-        keyword = command;
-        names = operandNames;
+    private void readKeyword(Command command) {
+        keyword = command.keyword();
+        names = command.operands();
         keywordFrom = line.from();
         keywordTo = line.to();
     }

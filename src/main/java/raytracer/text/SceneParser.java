@@ -3,7 +3,7 @@ package raytracer.text;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import raytracer.scene.Camera;
@@ -22,16 +22,13 @@ public final class SceneParser {
     /** The longest side or count that an int holds. */
     private static final int MOST = Integer.MAX_VALUE;
 
-    private interface Rule {
-        void apply(Operands operands) throws Operands.Rejected;
-    }
-
     private final LineReader reader;
     private final Line line;
     private final Diagnostics diagnostics;
     private final Operands operands;
-    private final CommandTable<Rule> commands = new CommandTable<>();
-    private final Map<String, Long> lineOf = new HashMap<>();
+
+    /** Where a command that may be given once was given. */
+    private final Map<Command, Long> lineOf = new EnumMap<>(Command.class);
 
     private final MaterialState material = new MaterialState();
     private final List<Light> lights = new ArrayList<>();
@@ -62,21 +59,6 @@ public final class SceneParser {
         line = new Line(reader);
         diagnostics = new Diagnostics(file, reader);
         operands = new Operands(line, diagnostics);
-        commands.add("size", "w h", this::size);
-        commands.add("camera", "ex ey ez ax ay az ux uy uz fov", this::camera);
-        commands.addText("output", "name", this::output);
-        commands.add("maxdepth", "n", this::maxDepth);
-        commands.add("ambient", "r g b", o -> material.ambient(o.colour(0)));
-        commands.add("diffuse", "r g b", o -> material.diffuse(o.colour(0)));
-        commands.add("specular", "r g b", o -> material.specular(o.colour(0)));
-        commands.add("shininess", "s", o -> material.shininess(o.number(0)));
-        commands.add("directional", "x y z r g b", o -> lights.add(new Light.Directional(o.direction(0), o.colour(3))));
-        commands.add("point", "x y z r g b", o -> lights.add(new Light.Point(o.vector(0), o.colour(3))));
-        commands.add("maxverts", "n", this::maxVertices);
-        commands.add("vertex", "x y z", this::vertex);
-        commands.add("tri", "i j k", this::triangle);
-        commands.add("sphere", "x y z r", this::sphere);
-        commands.add("plane", "x y z nx ny nz", this::plane);
     }
 
     private ParsedScene parse() throws IOException, SceneException {
@@ -89,8 +71,8 @@ public final class SceneParser {
             diagnostics.error(reader.start(), reader.start(),
                     "expected a line of at most " + LineReader.LONGEST_LINE + " bytes, found a longer one");
         } else {
-            require("size", "size w h");
-            require("camera", "camera ex ey ez ax ay az ux uy uz fov");
+            require(Command.SIZE);
+            require(Command.CAMERA);
         }
         if (!diagnostics.clean()) {
             throw diagnostics.exception();
@@ -100,57 +82,80 @@ public final class SceneParser {
         return new ParsedScene(scene, diagnostics.warnings());
     }
 
-    private void require(String keyword, String usage) {
-        if (!lineOf.containsKey(keyword)) {
-            diagnostics.errorAtEnd("expected a '" + usage + "' command in the file, found none");
+    private void require(Command command) {
+        if (!lineOf.containsKey(command)) {
+            diagnostics.errorAtEnd("expected a '" + command.keyword() + " " + String.join(" ", command.operands())
+                    + "' command in the file, found none");
         }
     }
 
     private void command() {
-        CommandTable.Command<Rule> command = commands.find(line);
+        Command command = Command.find(line);
         if (command == null) {
             diagnostics.error(line.from(), line.to(), "expected a command, found "
-                    + diagnostics.quote(line.from(), line.to()) + commands.suggestion(line.word()));
+                    + diagnostics.quote(line.from(), line.to()) + Command.suggestion(line.word()));
             return;
         }
         try {
-            if (!command.text()) {
-                operands.read(command.keyword(), command.operands());
+            if (command != Command.OUTPUT) {
+                operands.read(command);
             }
-            command.rule().apply(operands);
+            apply(command, operands);
         } catch (Operands.Rejected reported) {
-            recover(command.keyword());
+            recover(command);
+        }
+    }
+
+    // No table of lambdas: the first few that a program makes take longer than reading a small scene.
+    private void apply(Command command, Operands o) throws Operands.Rejected {
+        switch (command) {
+            case SIZE -> size(o);
+            case CAMERA -> camera(o);
+            case OUTPUT -> output(o);
+            case MAXDEPTH -> maxDepth(o);
+            case AMBIENT -> material.ambient(o.colour(0));
+            case DIFFUSE -> material.diffuse(o.colour(0));
+            case SPECULAR -> material.specular(o.colour(0));
+            case SHININESS -> material.shininess(o.number(0));
+            case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
+            case POINT -> lights.add(new Light.Point(o.vector(0), o.colour(3)));
+            case MAXVERTS -> maxVertices(o);
+            case VERTEX -> vertex(o);
+            case TRI -> triangle(o);
+            case SPHERE -> shapes.add(new Shape.Sphere(o.vector(0), o.positive(3), material.current()));
+            case PLANE -> shapes.add(new Shape.Plane(o.vector(0), o.direction(3), material.current()));
         }
     }
 
     /** Keeps one mistake from being reported again by every line that builds on it. */
-    private void recover(String keyword) {
-        switch (keyword) {
-            case "size", "camera" -> lineOf.putIfAbsent(keyword, reader.number());
-            case "maxverts" -> {
-                lineOf.putIfAbsent(keyword, reader.number());
+    private void recover(Command command) {
+        switch (command) {
+            case SIZE, CAMERA -> lineOf.putIfAbsent(command, reader.number());
+            case MAXVERTS -> {
+                lineOf.putIfAbsent(command, reader.number());
                 maxVertices = MOST;
             }
-            case "vertex" -> shapes.addVertex(0, 0, 0);
+            case VERTEX -> shapes.addVertex(0, 0, 0);
             default -> { }
         }
     }
 
-    private void once(String keyword, Operands o) throws Operands.Rejected {
-        Long first = lineOf.putIfAbsent(keyword, reader.number());
+    private void once(Command command, Operands o) throws Operands.Rejected {
+        Long first = lineOf.putIfAbsent(command, reader.number());
         if (first != null) {
-            throw o.rejectCommand("expected '" + keyword + "' once, found it again (first on line " + first + ")");
+            throw o.rejectCommand("expected '" + command.keyword() + "' once, found it again (first on line " + first
+                    + ")");
         }
     }
 
     private void size(Operands o) throws Operands.Rejected {
-        once("size", o);
+        once(Command.SIZE, o);
         width = o.whole(0, 1, MOST);
         height = o.whole(1, 1, MOST);
     }
 
     private void camera(Operands o) throws Operands.Rejected {
-        once("camera", o);
+        once(Command.CAMERA, o);
         camera = new Camera(o.vector(0), o.vector(3), o.vector(6), o.number(9));
         if (camera.eye().minus(camera.at()).isZero()) {
             throw o.rejectAll(0, 5, "expected the eye (ex ey ez) and the point looked at (ax ay az) of 'camera'"
@@ -167,26 +172,26 @@ public final class SceneParser {
     }
 
     private void output(Operands o) throws Operands.Rejected {
-        String name = o.readText("output", new String[] {"name"});
-        once("output", o);
+        String name = o.readText(Command.OUTPUT);
+        once(Command.OUTPUT, o);
         output = name;
     }
 
     private void maxDepth(Operands o) throws Operands.Rejected {
-        once("maxdepth", o);
+        once(Command.MAXDEPTH, o);
         maxDepth = o.whole(0, 1, MOST);
     }
 
     private void maxVertices(Operands o) throws Operands.Rejected {
-        once("maxverts", o);
+        once(Command.MAXVERTS, o);
         maxVertices = o.whole(0, 0, MOST);
     }
 
     private void vertex(Operands o) throws Operands.Rejected {
         if (shapes.vertices() >= maxVertices) {
-            throw o.rejectCommand(lineOf.containsKey("maxverts")
-                    ? "expected at most " + maxVertices + " vertices ('maxverts' on line " + lineOf.get("maxverts")
-                            + "), found one more"
+            throw o.rejectCommand(lineOf.containsKey(Command.MAXVERTS)
+                    ? "expected at most " + maxVertices + " vertices ('maxverts' on line "
+                            + lineOf.get(Command.MAXVERTS) + "), found one more"
                     : "expected 'maxverts' before the first 'vertex', found none");
         }
         shapes.addVertex(o.number(0), o.number(1), o.number(2));
@@ -200,14 +205,6 @@ public final class SceneParser {
         }
     }
 
-    private void sphere(Operands o) throws Operands.Rejected {
-        shapes.add(new Shape.Sphere(o.vector(0), o.positive(3), material.current()));
-    }
-
-    private void plane(Operands o) throws Operands.Rejected {
-        shapes.add(new Shape.Plane(o.vector(0), o.direction(3), material.current()));
-    }
-
     private void warn(Scene scene) {
         if (emptyTriangles > 0) {
             diagnostics.warning(firstEmptyTriangleLine, emptyTriangles == 1
@@ -215,9 +212,12 @@ public final class SceneParser {
                     : emptyTriangles + " triangles have no area and are never seen; this is the first");
         }
         if (shapes.vertices() < maxVertices) {
-            diagnostics.warning(lineOf.get("maxverts"),
+            diagnostics.warning(lineOf.get(Command.MAXVERTS),
                     "'maxverts' declares " + maxVertices + " vertices, but " + shapes.vertices() + " follow");
         }
-        Visibility.darkness(scene).ifPresent(reason -> diagnostics.warning(0, reason + ": the picture is black"));
+        String darkness = Visibility.darkness(scene);
+        if (darkness != null) {
+            diagnostics.warning(0, darkness + ": the picture is black");
+        }
     }
 }

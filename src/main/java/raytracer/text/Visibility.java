@@ -1,6 +1,6 @@
 package raytracer.text;
 
-import java.util.Optional;
+import java.util.List;
 import raytracer.scene.Mesh;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
@@ -11,19 +11,35 @@ final class Visibility {
 
     private Visibility() { }
 
-    /** Why nothing can be seen; empty if something may be. */
-    static Optional<String> darkness(Scene scene) {
-        if (scene.lights().isEmpty() && scene.shapes().stream().allMatch(s -> s.material().ambient().isBlack())) {
-            return Optional.of("there is no light and no ambient colour");
+    /** Why nothing can be seen; null if something may be. */
+    static String darkness(Scene scene) {
+        if (scene.lights().isEmpty() && !anyHasAmbientColour(scene.shapes())) {
+            return "there is no light and no ambient colour";
         }
-        Vector forward = scene.camera().at().minus(scene.camera().eye()).unit();
-        if (scene.shapes().stream().noneMatch(s -> inFront(s, scene.camera().eye(), forward, scene.mesh()))) {
-            return Optional.of("nothing is in front of the camera");
-        }
-        return Optional.empty();
+        return anyIsInFront(scene) ? null : "nothing is in front of the camera";
     }
 
-    private static boolean inFront(Shape shape, Vector eye, Vector forward, Mesh mesh) {
+    private static boolean anyHasAmbientColour(List<Shape> shapes) {
+        for (Shape shape : shapes) {
+            if (!shape.material().ambient().isBlack()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean anyIsInFront(Scene scene) {
+        Vector eye = scene.camera().eye();
+        Vector forward = scene.camera().at().minus(eye).unit();
+        for (Shape shape : scene.shapes()) {
+            if (isInFront(shape, eye, forward, scene.mesh())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean isInFront(Shape shape, Vector eye, Vector forward, Mesh mesh) {
         if (shape instanceof Shape.Sphere sphere) {
             return sphere.centre().minus(eye).dot(forward) + sphere.radius() > 0;
         }

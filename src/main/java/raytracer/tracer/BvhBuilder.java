@@ -53,14 +53,13 @@ final class BvhBuilder {
             return new Bvh(order, beside, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
         float[] boxes = new float[6 * (count - beside)];
-        int first = beside;
-        Halves.run(pool, beside, count,
-                (from, to) -> setTreeBoxes(boxes, first, order, from, to, bounds, new double[] {cx, cy, cz}, scale));
+        Halves.run(pool, beside, count, new TreeBoxes(boxes, beside, order, bounds, new double[] {cx, cy, cz}, scale));
         Nodes nodes = new Nodes();
         int root = Bvh.leaf(beside, count - beside);
         if (count - beside > leafSize) {
             Range whole = new Range(beside, count, 0, null);
-            nodes = pool.invoke(new BvhBuilder(order, boxes, leafSize).new Subtree(whole, beside));
+            Subtree subtree = new BvhBuilder(order, boxes, leafSize).new Subtree(whole, beside);
+            nodes = whole.size() < PARALLEL_SIZE ? subtree.compute() : pool.invoke(subtree);
             root = 0;
         }
         return new Bvh(order, beside, nodes.numbers(), root, cx, cy, cz, scale);
@@ -93,13 +92,17 @@ final class BvhBuilder {
         return width > 0 ? Math.scalb(1.0, -Math.getExponent(width)) : 1;
     }
 
-    private static void setTreeBoxes(float[] boxes, int first, int[] order, int from, int to, Bounds bounds,
-            double[] centre, double scale) {
-        double[] box = new double[6];
-        for (int i = from; i < to; i++) {
-            bounds.of(order[i], box);
-            for (int side = 0; side < 6; side++) {
-                boxes[6 * (i - first) + side] = (float) ((box[side] - centre[side % 3]) * scale);
+    /** Brings the boxes of things, from the first in the tree on, to tree space. */
+    private record TreeBoxes(float[] boxes, int first, int[] order, Bounds bounds, double[] centre, double scale)
+            implements Halves.Work {
+        @Override
+        public void over(int from, int to) {
+            double[] box = new double[6];
+            for (int i = from; i < to; i++) {
+                bounds.of(order[i], box);
+                for (int side = 0; side < 6; side++) {
+                    boxes[6 * (i - first) + side] = (float) ((box[side] - centre[side % 3]) * scale);
+                }
             }
         }
     }

@@ -18,16 +18,21 @@ final class Extent {
     /** Of the things from one place in an order on. */
     static Extent of(int[] order, int from, Bounds bounds, ForkJoinPool pool) {
         Extent all = new Extent();
-        Halves.run(pool, from, order.length, (i, j) -> {
+        Halves.run(pool, from, order.length, new Inclusion(order, bounds, all));
+        return all;
+    }
+
+    private record Inclusion(int[] order, Bounds bounds, Extent all) implements Halves.Work {
+        @Override
+        public void over(int from, int to) {
             Extent part = new Extent();
             double[] thing = new double[6];
-            for (int k = i; k < j; k++) {
+            for (int k = from; k < to; k++) {
                 bounds.of(order[k], thing);
                 part.include(thing, width(thing));
             }
             all.merge(part);
-        });
-        return all;
+        }
     }
 
     /** The same comes out in whatever order threads do this. */

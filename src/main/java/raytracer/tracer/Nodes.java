@@ -63,7 +63,11 @@ final class Nodes {
     }
 
     private int size() {
-        return count + grafts.stream().mapToInt(graft -> graft.nodes.size()).sum();
+        int size = count;
+        for (Graft graft : grafts) {
+            size += graft.nodes.size();
+        }
+        return size;
     }
 
     /** Copies all to another place, where the first becomes this number; returns the number behind the last. */

@@ -50,7 +50,10 @@ final class Shading {
         this.lamps = lamps;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        block = surfaces.stream().map(kind -> kind.blocking(rays, shadows, scratch)).toArray(Pass[]::new);
+        block = new Pass[surfaces.size()];
+        for (int kind = 0; kind < block.length; kind++) {
+            block[kind] = surfaces.get(kind).blocking(rays, shadows, scratch);
+        }
         ShadowRays s = shadows;
         findLambert = new Pass.Dot(rays.normal, s.direction, s.lambert);
         // The half vector, not of length 1: the cosine is divided by its length instead.

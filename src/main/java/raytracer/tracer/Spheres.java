@@ -117,32 +117,10 @@ final class Spheres extends BoundedSurfaces {
         }
         // All rays start at the same point outside: what takes long to compute is the same for all.
         Pass.run(new Perpendicular.Distance(power, scratch.along, scratch.square, scratch.distance), from, to);
-        Pass.run((first, end) -> takeNearer(rays, clear, slot(k), scratch, first, end), from, to);
+        Pass.run(new PlainSphere.TakeNearer(rays, clear, slot(k), scratch), from, to);
         for (int n = 0; n < scratch.doubtfulCount; n++) {
             meet(rays, scratch.doubtful[n], k);
         }
-    }
-
-    /** Takes what is met clearly, and nearer than all before; lists the rays that need a closer look. */
-    private static void takeNearer(Rays rays, double clear, int slot, Scratch scratch, int from, int to) {
-        double[] distance = rays.distance, along = scratch.along, square = scratch.square, t = scratch.distance;
-        int[] hit = rays.hit, doubtful = scratch.doubtful;
-        int count = 0;
-        for (int i = from; i < to; i++) {
-            if (square[i] >= 0) {
-                if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
-                    if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
-                        hit[i] = slot;
-                        distance[i] = t[i];
-                    } else {
-                        doubtful[count++] = i;
-                    }
-                }
-            } else if (square[i] >= clear) {
-                doubtful[count++] = i;
-            }
-        }
-        scratch.doubtfulCount = count;
     }
 
     @Override
@@ -153,7 +131,8 @@ final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, scratch);
-        Pass.run((first, end) -> closePlain(rays, shadows, first, end, k, lampSide, scratch), from, to);
+        double r = data[STRIDE * k + 3];
+        Pass.run(new PlainSphere.Close(rays, shadows, r, -CLEAR * r * r, slot(k), lampSide, scratch), from, to);
         for (int n = 0; n < scratch.doubtfulCount; n++) {
             int i = scratch.doubtful[n];
             shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
@@ -172,35 +151,6 @@ final class Spheres extends BoundedSurfaces {
                 open[i] = !blocks(rays, shadows, i, k, lampSide);
             }
         }
-    }
-
-    /** Closes the ways that are blocked for certain; lists the rays that need a closer look. */
-    private void closePlain(Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
-        double[] square = scratch.square, along = scratch.along, distance = shadows.distance;
-        double[] originError = rays.originError;
-        boolean[] open = shadows.open;
-        int[] hit = rays.hit, doubtful = scratch.doubtful;
-        double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
-        int slot = slot(k), count = 0;
-        for (int i = from; i < to; i++) {
-            if (square[i] >= clear && open[i]) {
-                boolean behind = along[i] >= 0;
-                boolean plain = hit[i] == slot ? behind : (behind || square[i] >= 0) && lampSide >= 0
-                        && startsOutside(along[i], square[i], r, originError[i]);
-                if (!plain) {
-                    doubtful[count++] = i;
-                } else if (!behind && -along[i] < distance[i]) {
-                    open[i] = false;
-                }
-            }
-        }
-        scratch.doubtfulCount = count;
-    }
-
-    /** Whether a ray clearly starts outside a sphere that it passes by no farther than {@link #CLEAR}. */
-    private static boolean startsOutside(double along, double square, double r, double originError) {
-        double power = along * along - square;
-        return power > Rounding.power(originError, r) + Rounding.passingPower(along * along, r * r);
     }
 
     private void passBy(Rays rays, Vectors d, int from, int to, int k, Scratch scratch) {

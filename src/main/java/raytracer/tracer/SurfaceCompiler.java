@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Material;
 import raytracer.scene.Mesh;
@@ -53,10 +52,11 @@ final class SurfaceCompiler {
             Material made = material[number];
             if (made != last) {
                 last = made;
-                lastLook = lookOf.computeIfAbsent(made, m -> {
-                    looks.add(m);
-                    return looks.size() - 1;
-                });
+                Integer known = lookOf.putIfAbsent(made, looks.size());
+                if (known == null) {
+                    looks.add(made);
+                }
+                lastLook = known == null ? looks.size() - 1 : known;
             }
             return lastLook;
         }
@@ -66,18 +66,24 @@ final class SurfaceCompiler {
         this.lamps = lamps;
         this.mesh = scene.mesh();
         this.pool = pool;
-        int shapes = scene.shapes().size();
-        planeOrigins = new Origins((int) scene.shapes().stream().filter(s -> s instanceof Shape.Plane).count());
-        sphereOrigins = new Origins((int) scene.shapes().stream().filter(s -> s instanceof Shape.Sphere).count());
+        planeOrigins = new Origins(count(scene.shapes(), Shape.Plane.class));
+        sphereOrigins = new Origins(count(scene.shapes(), Shape.Sphere.class));
         triangleOrigins = new Origins(mesh.triangles());
         int declared = 0;
-        for (int i = 0; i < shapes; i++) {
-            Shape shape = scene.shapes().get(i);
+        for (Shape shape : scene.shapes()) {
             sort(shape, declared);
             declared = Math.addExact(declared, shape.count());
         }
         declaredBySlot = new int[planes.size() + spheres.size() + mesh.triangles()];
         lookBySlot = new int[declaredBySlot.length];
+    }
+
+    private static int count(List<Shape> shapes, Class<? extends Shape> kind) {
+        int count = 0;
+        for (Shape shape : shapes) {
+            count += kind.isInstance(shape) ? 1 : 0;
+        }
+        return count;
     }
 
     private void sort(Shape shape, int declared) {
@@ -94,25 +100,34 @@ final class SurfaceCompiler {
         }
     }
 
-    /** Complete when all kinds have been made. */
-    SlotTable slots() {
-        return new SlotTable(declaredBySlot, lookBySlot, looks.toArray(Material[]::new));
+    /** Makes the kinds that the scene has. */
+    List<Surfaces> surfaces() {
+        List<Surfaces> kinds = new ArrayList<>();
+        if (!planes.isEmpty()) {
+            kinds.add(planes());
+        }
+        if (!spheres.isEmpty()) {
+            kinds.add(spheres());
+        }
+        if (mesh.triangles() > 0) {
+            kinds.add(triangles());
+        }
+        return List.copyOf(kinds);
     }
 
-    Optional<Surfaces> planes() {
-        if (planes.isEmpty()) {
-            return Optional.empty();
-        }
+    /** Complete when the surfaces have been made. */
+    SlotTable slots() {
+        return new SlotTable(declaredBySlot, lookBySlot, looks.toArray(new Material[0]));
+    }
+
+    private Surfaces planes() {
         for (int k = 0; k < planes.size(); k++) {
             settle(k, planeOrigins, k);
         }
-        return Optional.of(new Planes(planes, 0));
+        return new Planes(planes, 0);
     }
 
-    Optional<Surfaces> spheres() {
-        if (spheres.isEmpty()) {
-            return Optional.empty();
-        }
+    private Surfaces spheres() {
         Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Spheres.LEAF_SIZE, pool);
         int firstSlot = planes.size();
         List<Shape.Sphere> ordered = new ArrayList<>(spheres.size());
@@ -120,19 +135,16 @@ final class SurfaceCompiler {
             ordered.add(spheres.get(bvh.order()[k]));
             settle(firstSlot + k, sphereOrigins, bvh.order()[k]);
         }
-        return Optional.of(new Spheres(ordered, firstSlot, bvh, lamps));
+        return new Spheres(ordered, firstSlot, bvh, lamps);
     }
 
-    Optional<Surfaces> triangles() {
-        if (mesh.triangles() == 0) {
-            return Optional.empty();
-        }
+    private Surfaces triangles() {
         Bvh bvh = BvhBuilder.build(mesh.triangles(), Triangles.bounds(mesh), Triangles.LEAF_SIZE, pool);
         int firstSlot = planes.size() + spheres.size();
         for (int k = 0; k < mesh.triangles(); k++) {
             settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
         }
-        return Optional.of(new Triangles(mesh, firstSlot, bvh, lamps, pool));
+        return new Triangles(mesh, firstSlot, bvh, lamps, pool);
     }
 
     private void settle(int slot, Origins from, int k) {

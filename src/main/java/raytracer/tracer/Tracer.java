@@ -3,6 +3,7 @@ package raytracer.tracer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
+import raytracer.scene.Light;
 import raytracer.scene.Scene;
 
 /**
@@ -32,14 +33,13 @@ public final class Tracer {
     public static Tracer compile(Scene scene, int threads) {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
-            List<Lamp> lamps = scene.lights().stream().map(Lamp::of).toList();
+            List<Lamp> lamps = new ArrayList<>();
+            for (Light light : scene.lights()) {
+                lamps.add(Lamp.of(light));
+            }
             SurfaceCompiler compiler = new SurfaceCompiler(scene, lamps, pool);
-            List<Surfaces> surfaces = new ArrayList<>();
-            compiler.planes().ifPresent(surfaces::add);
-            compiler.spheres().ifPresent(surfaces::add);
-            compiler.triangles().ifPresent(surfaces::add);
-            return new Tracer(
-                    new Pinhole(scene), List.copyOf(surfaces), compiler.slots(), lamps, scene.maxDepth());
+            List<Surfaces> surfaces = compiler.surfaces();
+            return new Tracer(new Pinhole(scene), surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth());
         } finally {
             pool.shutdown();
         }

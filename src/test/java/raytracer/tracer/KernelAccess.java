@@ -24,7 +24,7 @@ public final class KernelAccess {
     public KernelAccess(String shapes, Vector[] origin, Vector[] direction, int[] targets) throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
-        surfaces = (BoundedSurfaces) compiler.spheres().or(compiler::triangles).orElseThrow();
+        surfaces = (BoundedSurfaces) compiler.surfaces().get(0);
         int[] slotOf = new int[compiler.slots().declared().length];
         for (int slot = 0; slot < slotOf.length; slot++) {
             slotOf[compiler.slots().declared()[slot]] = slot;

@@ -2,7 +2,6 @@ package raytracer.tracer;
 
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
-import java.util.stream.Stream;
 import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
@@ -24,8 +23,7 @@ public final class Probe {
     public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
-        surfaces = Stream.of(compiler.planes(), compiler.spheres(), compiler.triangles())
-                .flatMap(java.util.Optional::stream).toList();
+        surfaces = compiler.surfaces();
         slots = compiler.slots();
         rays = new Rays(slots.declared(), surfaces);
     }

@@ -5,46 +5,66 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The commands of the format by keyword, found without making a string of the word. */
-final class CommandTable<R> {
+/** The commands of the format, and what stands behind their keywords: numbers, or for one the rest of the line. */
+enum Command {
 
-    /** @param text whether the operand is the rest of the line instead of numbers */
-    record Command<R>(String keyword, byte[] ascii, String[] operands, boolean text, R rule) { }
-
-    /** A power of two, and several times the number of commands, so that hardly two meet in one place. */
-    private static final int PLACES = 128;
+    SIZE("w h"),
+    CAMERA("ex ey ez ax ay az ux uy uz fov"),
+    OUTPUT("name"),
+    MAXDEPTH("n"),
+    AMBIENT("r g b"),
+    DIFFUSE("r g b"),
+    SPECULAR("r g b"),
+    SHININESS("s"),
+    DIRECTIONAL("x y z r g b"),
+    POINT("x y z r g b"),
+    MAXVERTS("n"),
+    VERTEX("x y z"),
+    TRI("i j k"),
+    SPHERE("x y z r"),
+    PLANE("x y z nx ny nz");
 
     /** Typing errors that a suggestion forgives. */
     private static final int MOST_EDITS = 2;
 
-    private final List<Command<R>> commands = new ArrayList<>();
-    private final List<List<Command<R>>> places = new ArrayList<>();
+    /** A power of two, and several times the number of commands, so that hardly two meet in one place. */
+    private static final int PLACES = 128;
 
-    CommandTable() {
+    /** By the hash of their keywords. */
+    private static final List<List<Command>> PLACE = new ArrayList<>();
+
+    static {
         for (int i = 0; i < PLACES; i++) {
-            places.add(List.of());
+            PLACE.add(List.of());
+        }
+        for (Command command : values()) {
+            int place = command.keyword.hashCode() & PLACES - 1;
+            List<Command> there = new ArrayList<>(PLACE.get(place));
+            there.add(command);
+            PLACE.set(place, there);
         }
     }
 
-    void add(String keyword, String operands, R rule) {
-        add(new Command<>(keyword, keyword.getBytes(StandardCharsets.US_ASCII), operands.split(" "), false, rule));
+    private final String keyword = name().toLowerCase(Locale.ROOT);
+    private final byte[] ascii = keyword.getBytes(StandardCharsets.US_ASCII);
+    private final String[] operands;
+
+    Command(String operands) {
+        this.operands = operands.split(" ");
     }
 
-    void addText(String keyword, String operand, R rule) {
-        add(new Command<>(keyword, keyword.getBytes(StandardCharsets.US_ASCII), new String[] {operand}, true, rule));
+    String keyword() {
+        return keyword;
     }
 
-    private void add(Command<R> command) {
-        commands.add(command);
-        int place = command.keyword.hashCode() & PLACES - 1;
-        List<Command<R>> there = new ArrayList<>(places.get(place));
-        there.add(command);
-        places.set(place, there);
+    /** What messages call the operands. */
+    String[] operands() {
+        return operands;
     }
 
-    /** The command that the line's current word names, or null. */
-    Command<R> find(Line line) {
-        List<Command<R>> there = places.get(line.wordHash() & PLACES - 1);
+    /** The command that the line's current word names, or null; makes no string of the word. */
+    static Command find(Line line) {
+        List<Command> there = PLACE.get(line.wordHash() & PLACES - 1);
         for (int i = 0; i < there.size(); i++) {
             if (line.wordIs(there.get(i).ascii)) {
                 return there.get(i);
@@ -54,10 +74,10 @@ final class CommandTable<R> {
     }
 
     /** {@code ; did you mean 'sphere'?} for a word that is close to a keyword, else nothing. */
-    String suggestion(String word) {
+    static String suggestion(String word) {
         String best = null;
         int least = MOST_EDITS + 1;
-        for (Command<R> command : commands) {
+        for (Command command : values()) {
             int edits = edits(word.toLowerCase(Locale.ROOT), command.keyword);
             if (edits < least && edits < command.keyword.length() - 1) {
                 least = edits;
