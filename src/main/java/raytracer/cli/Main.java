@@ -70,6 +70,9 @@ public final class Main {
             out.println("raytracer " + (version == null ? "(development)" : version));
             return DONE;
         }
+        if (!options.check() && options.chart() == null) {
+            Picture.loadEncoder();
+        }
         int status = DONE;
         for (String scene : options.scenes()) {
             status = Math.max(status, new Job(scene, options, out, err).run());

@@ -29,7 +29,7 @@ sealed interface Picture {
     long undefinedPixels();
 
     /** Lets the encoder load while the picture is rendered: a third of a second when a program has just started. */
-    private static void loadEncoder() {
+    static void loadEncoder() {
         Thread thread = new Thread(PngFile::prepare, "encoder");
         thread.setDaemon(true);
         // Whatever goes wrong there goes wrong again when the picture is written, and is told then.
@@ -41,7 +41,6 @@ sealed interface Picture {
     record Whole(Image image) implements Picture {
 
         static Whole of(int width, int height) throws IOException {
-            loadEncoder();
             try {
                 return new Whole(new Image(width, height));
             } catch (IllegalArgumentException | OutOfMemoryError e) {

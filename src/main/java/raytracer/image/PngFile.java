@@ -3,7 +3,6 @@ package raytracer.image;
 import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,11 +21,7 @@ public final class PngFile {
 
     /** Loads the library's encoder, which takes a while the first time: for a thread that has nothing else to do. */
     public static void prepare() {
-        try {
-            write(new Image(1, 1).toBufferedImage(), OutputStream.nullOutputStream());
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        ImageIO.getImageWritersByFormatName("png").next().dispose();
     }
 
     /**
