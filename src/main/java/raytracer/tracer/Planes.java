@@ -38,18 +38,22 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void findNearest(Rays rays, Scratch scratch) {
+    public Pass finding(Rays rays, Scratch scratch) {
+        return (from, to) -> findNearest(rays, from, to, scratch);
+    }
+
+    private void findNearest(Rays rays, int from, int to, Scratch scratch) {
         for (int k = 0; k < count; k++) {
-            measure(rays, k, scratch);
-            offer(rays, k, scratch.along, scratch.square, scratch.distance);
+            measure(rays, k, from, to, scratch);
+            offer(rays, k, scratch.along, scratch.square, scratch.distance, from, to);
         }
     }
 
     /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
-    private void measure(Rays rays, int k, Scratch scratch) {
-        offsets(rays, k, scratch.along, 0, rays.count);
-        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, scratch.square, rays.count);
-        divide(scratch.along, scratch.square, scratch.distance, rays.count);
+    private void measure(Rays rays, int k, int from, int to, Scratch scratch) {
+        offsets(rays, k, scratch.along, from, to);
+        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, scratch.square, from, to);
+        divide(scratch.along, scratch.square, scratch.distance, from, to);
     }
 
     /** out = (p - o) . n */
@@ -68,20 +72,20 @@ final class Planes implements Surfaces {
 
     /** out = d . n */
     private static void cosines(double nx, double ny, double nz, double[] dx, double[] dy, double[] dz,
-            double[] out, int to) {
-        for (int i = 0; i < to; i++) {
+            double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
             out[i] = dx[i] * nx + dy[i] * ny + dz[i] * nz;
         }
     }
 
-    private static void divide(double[] a, double[] b, double[] out, int to) {
-        for (int i = 0; i < to; i++) {
+    private static void divide(double[] a, double[] b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
             out[i] = a[i] / b[i];
         }
     }
 
-    private void offer(Rays rays, int k, double[] offset, double[] cosine, double[] distance) {
-        for (int i = 0; i < rays.count; i++) {
+    private void offer(Rays rays, int k, double[] offset, double[] cosine, double[] distance, int from, int to) {
+        for (int i = from; i < to; i++) {
             double t = distance[i];
             if (t > 0 && t <= rays.reach(i) && Math.abs(cosine[i]) > Rounding.cosine(rays.directionError[i])
                     && rays.source[i] != firstSlot + k

@@ -34,6 +34,7 @@ public final class TileTracer {
     private final Scratch scratch = new Scratch();
     private final Rays rays;
     private final Pass aiming;
+    private final Pass[] find;
     private final Groups groups;
     private final Shading shading;
     private final int[] kept = new int[Rays.CAPACITY];
@@ -60,6 +61,10 @@ public final class TileTracer {
         rays = new Rays(slots.declared(), surfaces);
         groups = new Groups(slots);
         aiming = pinhole.aiming(rays);
+        find = new Pass[surfaces.size()];
+        for (int kind = 0; kind < find.length; kind++) {
+            find[kind] = surfaces.get(kind).finding(rays, scratch);
+        }
         shading = new Shading(surfaces, lamps, rays, scratch);
     }
 
@@ -103,8 +108,8 @@ public final class TileTracer {
     /** Finds every ray's nearest surface. */
     private void findNearest() {
         rays.clearHits();
-        for (Surfaces kind : surfaces) {
-            kind.findNearest(rays, scratch);
+        for (Pass kind : find) {
+            Pass.run(kind, 0, rays.count);
         }
     }
 

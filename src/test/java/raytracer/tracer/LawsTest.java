@@ -160,7 +160,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        surfaces.findNearest(rays, new Scratch());
+        surfaces.finding(rays, new Scratch()).run(0, rays.count);
         return rays;
     }
 
