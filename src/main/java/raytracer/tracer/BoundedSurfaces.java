@@ -78,8 +78,8 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch);
 
     @Override
-    public final Pass finding(Rays rays, Scratch scratch) {
-        return new NearestSearch(this, rays, scratch);
+    public final Pass finding(Rays rays, Lamp eye, Scratch scratch) {
+        return new NearestSearch(this, rays, lightBuffer(eye), scratch);
     }
 
     @Override

@@ -126,6 +126,18 @@ final class Face {
         }
     }
 
+    /** Makes the part with cells no larger than this. */
+    void limit(double fromU, double toU, double fromV, double toV) {
+        leastU = Math.max(leastU, fromU);
+        leastV = Math.max(leastV, fromV);
+        greatestU = Math.min(greatestU, toU);
+        greatestV = Math.min(greatestV, toV);
+        if (!(leastU < greatestU && leastV < greatestV)) {
+            leastU = leastV = Double.POSITIVE_INFINITY;
+            greatestU = greatestV = Double.NEGATIVE_INFINITY;
+        }
+    }
+
     /** Whether the part with cells has anything in common with a box. */
     boolean overlaps(double fromU, double toU, double fromV, double toV) {
         return fromU <= greatestU && toU >= leastU && fromV <= greatestV && toV >= leastV;

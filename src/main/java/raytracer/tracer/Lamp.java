@@ -5,12 +5,21 @@ import raytracer.scene.Light;
 import raytracer.scene.Vector;
 
 /**
- * A light as the tracer wants it.
+ * A light as the tracer wants it; or the eye, for what is seen from there is what a light would shine on.
  *
  * @param directional whether it is at infinity
  * @param x           its position, or for a directional light the unit vector towards it
+ * @param shown       what it may shine on that matters; null if all does
  */
-record Lamp(boolean directional, double x, double y, double z, Colour colour) {
+record Lamp(boolean directional, double x, double y, double z, Colour colour, Frustum shown) {
+
+    Lamp(boolean directional, double x, double y, double z, Colour colour) {
+        this(directional, x, y, z, colour, null);
+    }
+
+    static Lamp ofEye(Vector eye, Frustum shown) {
+        return new Lamp(false, eye.x(), eye.y(), eye.z(), Colour.BLACK, shown);
+    }
 
     /**
      * How far off a coordinate counts as being: a light that is meant to be on a surface is there only as well as

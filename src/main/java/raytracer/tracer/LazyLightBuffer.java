@@ -19,8 +19,8 @@ final class LazyLightBuffer {
     /** And as so many more because the code that builds it is cold. */
     private static final int COLD_WALKS = 250_000;
 
-    /** The most things times lamps: more could take more than 300 MB, though 100 are usual. */
-    private static final long MOST_THINGS = 1 << 21;
+    /** The most things times lamps, with the eye: more could take more than 370 MB, though 200 are usual. */
+    private static final long MOST_THINGS = 1 << 22;
 
     private final Bvh bvh;
     private final Hulls hulls;

@@ -39,8 +39,10 @@ final class LightBuffer {
         final double[] x = new double[Rays.CAPACITY];
         final double[] y = new double[Rays.CAPACITY];
         final double[] z = new double[Rays.CAPACITY];
-        /** The depth's {@link #key}. */
+        /** The {@link #key} of the depth beyond which nothing matters. */
         private final int[] depth = new int[Rays.CAPACITY];
+        /** By how much the depth grows along a ray, in the tree's space, for each unit in the world's. */
+        private final double[] depthPerDistance = new double[Rays.CAPACITY];
         final int[] first = new int[Rays.CAPACITY];
         final int[] end = new int[Rays.CAPACITY];
         private long touched;
@@ -85,12 +87,35 @@ final class LightBuffer {
         Face face = faces[directional ? 0 : Face.number(x, y, z)];
         // Rounding keeps the order, and entries' depths have been rounded down.
         cells.depth[ray] = key((float) face.depth(x, y, z));
-        int at = face.cell(x, y, z);
-        cells.first[ray] = at < 0 ? 0 : start[at];
-        cells.end[ray] = at < 0 ? 0 : start[at + 1];
+        find(face.cell(x, y, z), ray, cells);
     }
 
-    /** Whether part of an entry's thing may be nearer to the lamp than where a ray starts: if not, none after it is. */
+    /** Finds the cells through which rays go that start at the lamp: it is the eye. */
+    void findAhead(Rays rays, int from, int to, Cells cells) {
+        for (int i = from; i < to; i++) {
+            cells.x[i] = lampX;
+            cells.y[i] = lampY;
+            cells.z[i] = lampZ;
+            double x = rays.dx[i], y = rays.dy[i], z = rays.dz[i];
+            Face face = faces[Face.number(x, y, z)];
+            cells.depthPerDistance[i] = face.depth(x, y, z) * bvh.scale();
+            find(face.cell(x, y, z), i, cells);
+            limit(rays.reach(i), i, cells);
+        }
+        touch(cells, from, to);
+    }
+
+    private void find(int cell, int ray, Cells cells) {
+        cells.first[ray] = cell < 0 ? 0 : start[cell];
+        cells.end[ray] = cell < 0 ? 0 : start[cell + 1];
+    }
+
+    /** Nothing farther away along a ray from the eye matters any more; rounded up. */
+    void limit(double distance, int ray, Cells cells) {
+        cells.depth[ray] = key((float) (distance * cells.depthPerDistance[ray] * (1 + 0x1p-22)));
+    }
+
+    /** Whether part of an entry's thing may be nearer to the lamp than what matters: if not, none after it is. */
     boolean isNearer(int entry, int ray, Cells cells) {
         return (int) (entries[entry] >> 32) <= cells.depth[ray];
     }

@@ -9,7 +9,7 @@ import java.util.Arrays;
 final class LightBufferBuilder {
 
     /** If things are in more cells than this on average, they are too large for cells to be of use. */
-    private static final int MOST_ENTRIES = 16;
+    private static final int MOST_ENTRIES = 10;
 
     /** And so they are if the boxes around their outlines have more cells than this. */
     private static final int MOST_TRIED = 64;
@@ -22,6 +22,7 @@ final class LightBufferBuilder {
     /** In the tree's space. */
     private final double[] lamp;
     private final Face[] faces;
+    private final Frustum shown;
     private final int count;
     private final Hulls.Batch batch = new Hulls.Batch();
     private final Outline outline = new Outline();
@@ -32,11 +33,12 @@ final class LightBufferBuilder {
     private long entries;
     private long[] sorted;
 
-    private LightBufferBuilder(Bvh bvh, Hulls hulls, double[] lamp, Face[] faces) {
+    private LightBufferBuilder(Bvh bvh, Hulls hulls, double[] lamp, Face[] faces, Frustum shown) {
         this.bvh = bvh;
         this.hulls = hulls;
         this.lamp = lamp;
         this.faces = faces;
+        this.shown = shown;
         count = bvh.order().length - bvh.beside();
     }
 
@@ -52,7 +54,7 @@ final class LightBufferBuilder {
         }
         if (of.directional()) {
             Face[] faces = {Face.of(of.x(), of.y(), of.z())};
-            return new LightBufferBuilder(bvh, hulls, new double[3], faces).build();
+            return new LightBufferBuilder(bvh, hulls, new double[3], faces, null).build();
         }
         double[] lamp = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
             (of.z() - bvh.centreZ()) * bvh.scale()};
@@ -61,13 +63,16 @@ final class LightBufferBuilder {
                 return null;
             }
         }
-        return new LightBufferBuilder(bvh, hulls, lamp, Face.around()).build();
+        return new LightBufferBuilder(bvh, hulls, lamp, Face.around(), of.shown()).build();
     }
 
     private LightBuffer build() {
         include(bvh.root(), LEVELS);
         double area = 0;
         for (Face face : faces) {
+            if (shown != null) {
+                shown.limit(face);
+            }
             area += face.area();
         }
         int cells = 0;

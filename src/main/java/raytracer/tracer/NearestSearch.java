@@ -2,7 +2,8 @@ package raytracer.tracer;
 
 /**
  * Offers a tile's rays the surfaces of one kind that they meet: to all rays those that their {@link Beam} meets, if it
- * finds few; else each ray walks through the tree. For one thread.
+ * finds few; else each ray looks up what is ahead of it in the eye's {@link LightBuffer}, once there is one and if it
+ * comes from there, or walks through the tree. For one thread.
  */
 final class NearestSearch implements Pass {
 
@@ -15,10 +16,17 @@ final class NearestSearch implements Pass {
     private final Pass meetGathered = this::meetGathered;
     private final Pass findEntryPoints = this::findEntryPoints;
     private final Pass walk = this::walk;
+    private final Pass findCells = this::findCells;
+    private final Pass lookUp = this::lookUp;
 
-    NearestSearch(BoundedSurfaces surfaces, Rays rays, Scratch scratch) {
+    private final LazyLightBuffer ofEye;
+    private LightBuffer buffer;
+
+    /** @param ofEye null if there is none, nor will be */
+    NearestSearch(BoundedSurfaces surfaces, Rays rays, LazyLightBuffer ofEye, Scratch scratch) {
         this.surfaces = surfaces;
         this.rays = rays;
+        this.ofEye = ofEye;
         this.scratch = scratch;
         bvh = surfaces.bvh();
     }
@@ -30,8 +38,7 @@ final class NearestSearch implements Pass {
         }
         scratch.beam.take(rays, from, to);
         if (!scratch.beam.gather(bvh)) {
-            Pass.run(findEntryPoints, from, to);
-            Pass.run(walk, from, to);
+            findEach(from, to);
         } else if (scratch.beam.count() > 0) {
             Pass.run(meetGathered, from, to);
         }
@@ -51,11 +58,23 @@ final class NearestSearch implements Pass {
         }
     }
 
+    /** Ray by ray, after the beam of all has given up. */
+    private void findEach(int from, int to) {
+        buffer = rays.leaveEye && ofEye != null ? ofEye.insteadOfWalks(to - from) : null;
+        if (buffer != null) {
+            Pass.run(findCells, from, to);
+            Pass.run(lookUp, from, to);
+        } else {
+            Pass.run(findEntryPoints, from, to);
+            Pass.run(walk, from, to);
+        }
+    }
+
     private void findEntryPoints(int from, int to) {
         scratch.entryPoints.find(bvh, scratch.beam, rays.origin, rays.direction, from, to);
     }
 
-    // A ray's walk is a method of its own, which HotSpot compiles long before a loop over rays in which few of them walk.
+    // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
 
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
@@ -69,10 +88,14 @@ final class NearestSearch implements Pass {
         BvhWalk walk = scratch.walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
             scratch.entryPoints.enter(walk, i);
-            surfaces.look(bvh, walk.x(), walk.y(), walk.z(), walk.start(),
-                    rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i], rays.directionError[i], scratch);
+            look(walk.x(), walk.y(), walk.z(), walk.start(), i);
             meetOnTheWay(i);
         }
+    }
+
+    private void look(double x, double y, double z, double far, int i) {
+        surfaces.look(bvh, x, y, z, far, rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i],
+                rays.directionError[i], scratch);
     }
 
     private void meetOnTheWay(int ray) {
@@ -80,6 +103,32 @@ final class NearestSearch implements Pass {
         while (walk.nextLeaf(rays.reach(ray))) {
             for (int left = surfaces.inSight(walk.first(), walk.end(), scratch); left != 0; left &= left - 1) {
                 surfaces.meet(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
+            }
+        }
+    }
+
+    private void findCells(int from, int to) {
+        buffer.findAhead(rays, from, to, scratch.cells);
+    }
+
+    private void lookUp(int from, int to) {
+        LightBuffer.Cells cells = scratch.cells;
+        for (int i = from; i < to; i++) {
+            if (cells.first[i] < cells.end[i]) {
+                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
+                look(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
+                meetInTheCell(i);
+            }
+        }
+    }
+
+    private void meetInTheCell(int ray) {
+        LightBuffer.Cells cells = scratch.cells;
+        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
+            int k = buffer.thing(entry);
+            if (surfaces.inSight(k, k + 1, scratch) != 0) {
+                surfaces.meet(rays, ray, k);
+                buffer.limit(rays.reach(ray), ray, cells);
             }
         }
     }

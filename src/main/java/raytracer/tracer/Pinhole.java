@@ -1,11 +1,15 @@
 package raytracer.tracer;
 
+import java.util.List;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 
 /** The rays of a scene's camera. */
 final class Pinhole {
+
+    /** By how many half pixels rays go beside the picture, at most: {@link Samples} may by a pixel, and one more. */
+    private static final int RIM = 4;
 
     private final int width;
     private final int height;
@@ -16,6 +20,8 @@ final class Pinhole {
     private final Vector right;
     private final Vector up;
     private final Vector backward;
+
+    private final Lamp lamp;
 
     Pinhole(Scene scene) {
         Camera camera = scene.camera();
@@ -29,6 +35,19 @@ final class Pinhole {
         right = camera.right().times(halfHeight);
         up = toEye.cross(camera.right()).times(halfHeight);
         backward = toEye.times(height);
+        double x = width + RIM, y = height + RIM;
+        lamp = Lamp.ofEye(eye, new Frustum(List.of(towards(-x, y), towards(x, y), towards(x, -y), towards(-x, -y))));
+    }
+
+    /** To a point of the picture's plane, seen from its middle in half pixels. */
+    private Vector towards(double x, double y) {
+        return new Vector(x * right.x() + y * up.x() - backward.x(), x * right.y() + y * up.y() - backward.y(),
+                x * right.z() + y * up.z() - backward.z());
+    }
+
+    /** The eye in place of a light. */
+    Lamp lamp() {
+        return lamp;
     }
 
     int width() {

@@ -38,7 +38,7 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public Pass finding(Rays rays, Scratch scratch) {
+    public Pass finding(Rays rays, Lamp eye, Scratch scratch) {
         return (from, to) -> findNearest(rays, from, to, scratch);
     }
 

@@ -6,8 +6,12 @@ package raytracer.tracer;
  */
 sealed interface Surfaces permits Planes, BoundedSurfaces {
 
-    /** What offers every ray what it meets among these: {@link Rays#offer}. */
-    Pass finding(Rays rays, Scratch scratch);
+    /**
+     * What offers every ray what it meets among these: {@link Rays#offer}.
+     *
+     * @param eye where rays start, if they leave the eye
+     */
+    Pass finding(Rays rays, Lamp eye, Scratch scratch);
 
     /** Bounds the error of the distance at which a ray meets the surface in a slot. */
     double distanceError(Rays rays, int ray, int slot, double t);

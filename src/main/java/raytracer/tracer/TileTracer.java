@@ -63,7 +63,7 @@ public final class TileTracer {
         aiming = pinhole.aiming(rays);
         find = new Pass[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
-            find[kind] = surfaces.get(kind).finding(rays, scratch);
+            find[kind] = surfaces.get(kind).finding(rays, pinhole.lamp(), scratch);
         }
         shading = new Shading(surfaces, lamps, rays, scratch);
     }

@@ -33,13 +33,16 @@ public final class Tracer {
     public static Tracer compile(Scene scene, int threads) {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
+            Pinhole pinhole = new Pinhole(scene);
             List<Lamp> lamps = new ArrayList<>();
             for (Light light : scene.lights()) {
                 lamps.add(Lamp.of(light));
             }
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, lamps, pool);
+            List<Lamp> withEye = new ArrayList<>(lamps);
+            withEye.add(pinhole.lamp());
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, withEye, pool);
             List<Surfaces> surfaces = compiler.surfaces();
-            return new Tracer(new Pinhole(scene), surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth());
+            return new Tracer(pinhole, surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth());
         } finally {
             pool.shutdown();
         }

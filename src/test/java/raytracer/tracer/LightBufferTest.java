@@ -21,6 +21,7 @@ import raytracer.scene.Material;
 import raytracer.scene.Mesh;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
+import raytracer.text.Scenes;
 
 @DisplayName("A light buffer")
 class LightBufferTest {
@@ -233,7 +234,7 @@ class LightBufferTest {
         LightBuffer built = lazy.insteadOfWalks(12_000);
         assertNotNull(built);
         assertEquals(built, lazy.insteadOfWalks(1));
-        List<Lamp> many = IntStream.range(0, 5000).mapToObj(i -> lamp(false, new Vector(i, 3, 0))).toList();
+        List<Lamp> many = IntStream.range(0, 10_000).mapToObj(i -> lamp(false, new Vector(i, 3, 0))).toList();
         assertTrue(LazyLightBuffer.of(many, bvh, Hulls.of(spheres)).isEmpty(), "as all would take too much memory");
     }
 
@@ -291,6 +292,53 @@ class LightBufferTest {
             blocked += IntStream.range(0, Rays.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
         }
         assertTrue(blocked > 1000, blocked + " blocked");
+    }
+
+    @ParameterizedTest(name = "shows the eye what the tree shows: {0}")
+    @CsvSource({"3 2 4 0 0 0 0 1 0 40", "0 0 3 .3 .2 0 0 1 0 90", "0 .9 0 0 0 .1 0 1 0 150", "0 0 0 1 .1 .2 0 1 0 100",
+        "-5e3 1e3 0 0 0 0 0 0 1 .03", "2 2 2 0 0 0 0 0 1 60"})
+    void showsTheEyeWhatTheTreeShows(String camera) throws Exception {
+        Random random = new Random(9);
+        Pinhole pinhole = new Pinhole(Scenes.parse("size 48 48\ncamera " + camera + "\nsphere 0 0 0 1").scene());
+        List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
+        Bvh curved = tree(spheres);
+        Mesh mesh = triangles(random, ORIGIN, .1);
+        Bvh flat = tree(mesh);
+        List<Surfaces> with = new ArrayList<>(), without = new ArrayList<>();
+        for (List<Surfaces> surfaces : List.of(with, without)) {
+            List<Lamp> lamps = surfaces == with ? List.of(pinhole.lamp()) : List.of();
+            surfaces.add(new Spheres(inOrder(curved, spheres), 0, curved, lamps));
+            surfaces.add(new Triangles(mesh, COUNT, flat, lamps, ForkJoinPool.commonPool()));
+        }
+        for (Surfaces kind : with) {
+            assertNotNull(((BoundedSurfaces) kind).lightBuffer(pinhole.lamp()).insteadOfWalks(300_000));
+        }
+        int met = 0;
+        int lookedUp = 0;
+        // A rim of a pixel is looked at too.
+        for (int pixel = 0; pixel < 50 * 50; pixel += Rays.CAPACITY / 4) {
+            Scratch scratch = new Scratch();
+            Rays a = seen(pinhole, pixel, with, scratch), b = seen(pinhole, pixel, without, new Scratch());
+            assertTrue(Arrays.equals(a.hit, b.hit), "pixel " + pixel);
+            assertTrue(Arrays.equals(a.distance, b.distance), "pixel " + pixel);
+            met += Arrays.stream(a.hit).map(slot -> slot == Rays.NONE ? 0 : 1).sum();
+            lookedUp += IntStream.range(0, Rays.CAPACITY).map(i -> scratch.cells.end[i] > 0 ? 1 : 0).sum();
+        }
+        assertTrue(met > 500 && lookedUp > 1000, met + " met, " + lookedUp + " looked up");
+    }
+
+    /** What the eye sees in a quarter of a tile's pixels, in rows of 50, by 2 x 2 samples. */
+    private static Rays seen(Pinhole pinhole, int pixel, List<Surfaces> surfaces, Scratch scratch) {
+        Samples samples = Samples.ofColour();
+        for (int i = 0; i < Rays.CAPACITY; i++) {
+            int p = pixel + i / 4;
+            samples.add(p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
+        }
+        Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
+        rays.start(pinhole.aiming(rays), samples, 0, Rays.CAPACITY);
+        rays.clearHits();
+        surfaces.forEach(kind -> kind.finding(rays, pinhole.lamp(), scratch).run(0, Rays.CAPACITY));
+        return rays;
     }
 
     private static Rays around(Vector middle, double size, Random random, List<Surfaces> surfaces) {

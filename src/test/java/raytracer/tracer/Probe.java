@@ -88,7 +88,7 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> kind.finding(rays, scratch).run(0, rays.count));
+        surfaces.forEach(kind -> kind.finding(rays, null, scratch).run(0, rays.count));
         int slot = rays.hit[0];
         if (slot == Rays.NONE) {
             return null;
