@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 final class LazyLightBuffer {
 
-    /** It takes as long to build as so many walks for each thing: 0.25 us, as much as a walk that is spared. */
+    /** It takes as long to build as so many walks for each thing: about as long as a walk that is spared. */
     private static final int WALKS = 1;
 
     /** And as so many more because the code that builds it is cold. */
@@ -47,6 +47,13 @@ final class LazyLightBuffer {
         return buffers;
     }
 
+    /** Whether there is memory for it, and for another built meanwhile: it is worth some time, but no failure. */
+    private boolean hasRoom() {
+        Runtime java = Runtime.getRuntime();
+        long free = java.maxMemory() - java.totalMemory() + java.freeMemory();
+        return free > 2 * LightBufferBuilder.MOST_BYTES * bvh.order().length;
+    }
+
     /** The buffer; null if it is not there. */
     LightBuffer ifBuilt() {
         return buffer;
@@ -57,7 +64,7 @@ final class LazyLightBuffer {
         if (buffer == null) {
             long before = walks.getAndAdd(rays);
             // For one thread only.
-            if (before < due && before + rays >= due) {
+            if (before < due && before + rays >= due && hasRoom()) {
                 buffer = LightBufferBuilder.build(bvh, hulls, lamp);
             }
         }

@@ -3,13 +3,16 @@ package raytracer.tracer;
 import java.util.Arrays;
 
 /**
- * Builds {@link LightBuffer}s. All things are looked at twice: to count each cell's, and to sort them in. Which parts
- * of the faces they take up is known from the tree's boxes.
+ * Builds {@link LightBuffer}s: it is noted which things are seen in which cells, and counted how many in each; then
+ * they are sorted in. Which parts of the faces they take up is known from the tree's boxes.
  */
 final class LightBufferBuilder {
 
     /** If things are in more cells than this on average, they are too large for cells to be of use. */
     private static final int MOST_ENTRIES = 10;
+
+    /** The most memory that building takes for a thing: of its entries, noted and sorted, and twice of its cell. */
+    static final long MOST_BYTES = MOST_ENTRIES * (Integer.BYTES + Long.BYTES) + 3 * Integer.BYTES + 2 * Integer.BYTES;
 
     /** And so they are if the boxes around their outlines have more cells than this. */
     private static final int MOST_TRIED = 64;
@@ -26,6 +29,9 @@ final class LightBufferBuilder {
     private final int count;
     private final Hulls.Batch batch = new Hulls.Batch();
     private final Outline outline = new Outline();
+
+    /** By thing and face: the thing, the key of its least depth, in how many cells it is seen there, and in which. */
+    private final Tape sightings = new Tape();
 
     /** By cell: how many things are there; then where the next entry goes. */
     private int[] next;
@@ -80,13 +86,13 @@ final class LightBufferBuilder {
             cells += face.divide(Math.sqrt(area / count), cells);
         }
         next = new int[cells];
-        look(this::count);
+        look();
         if (isTooMuch()) {
             return null;
         }
         int[] start = sumUp();
         sorted = new long[start[cells] + 1];
-        look(this::sortIn);
+        sortIn();
         sortByDepth(start);
         return new LightBuffer(bvh, lamp, faces, start, sorted);
     }
@@ -124,20 +130,16 @@ final class LightBufferBuilder {
                 || entries > Math.min(Integer.MAX_VALUE - 8, MOST_ENTRIES * (long) count);
     }
 
-    /** What is done about thing k, which is seen on a face. */
-    private interface Sight {
-        void of(int k, Face face);
-    }
-
-    private void look(Sight sight) {
+    /** Notes where things are seen. */
+    private void look() {
         int end = bvh.order().length;
-        for (int from = bvh.beside(); from < end; from += Hulls.Batch.CAPACITY) {
+        for (int from = bvh.beside(); from < end && !isTooMuch(); from += Hulls.Batch.CAPACITY) {
             int to = Math.min(from + Hulls.Batch.CAPACITY, end);
             hulls.get(from, to, batch);
             asSeenFromLamp(batch.a(), to - from);
             asSeenFromLamp(batch.b(), to - from);
             asSeenFromLamp(batch.c(), to - from);
-            look(from, to, sight);
+            look(from, to);
         }
     }
 
@@ -146,28 +148,34 @@ final class LightBufferBuilder {
         Vectors.toTreeSpace(points, bvh, lamp[0], lamp[1], lamp[2], points, 0, end);
     }
 
-    private void look(int from, int to, Sight sight) {
+    private void look(int from, int to) {
         for (int k = from; k < to; k++) {
             outline.take(batch, k - from, bvh.scale());
             int only = faces.length == 1 ? 0 : outline.onlyFace();
             int first = Math.max(0, only), last = only < 0 ? faces.length - 1 : only;
             for (int face = first; face <= last; face++) {
                 if (outline.isSeenOn(faces[face])) {
-                    sight.of(k, faces[face]);
+                    note(k, faces[face]);
                 }
             }
         }
     }
 
-    private void count(int k, Face face) {
+    /** Thing k is seen on a face. */
+    private void note(int k, Face face) {
         tried += outline.cellsAround(face);
-        if (!isTooMuch()) {
-            int found = outline.findCells(face);
-            for (int n = 0; n < found; n++) {
-                next[outline.cell(n)]++;
-            }
-            entries += found;
+        if (isTooMuch()) {
+            return;
         }
+        int found = outline.findCells(face);
+        sightings.add(k);
+        sightings.add(LightBuffer.key(Math.nextDown((float) outline.nearest())));
+        sightings.add(found);
+        for (int n = 0; n < found; n++) {
+            sightings.add(outline.cell(n));
+            next[outline.cell(n)]++;
+        }
+        entries += found;
     }
 
     /** Makes of the counts where each cell's entries begin. */
@@ -187,11 +195,13 @@ final class LightBufferBuilder {
         }
     }
 
-    private void sortIn(int k, Face face) {
-        long entry = LightBuffer.entry(k, Math.nextDown((float) outline.nearest()));
-        int found = outline.findCells(face);
-        for (int n = 0; n < found; n++) {
-            sorted[next[outline.cell(n)]++] = entry;
+    private void sortIn() {
+        while (sightings.isLeft()) {
+            int k = sightings.take();
+            long entry = LightBuffer.entry(k, sightings.take());
+            for (int left = sightings.take(); left > 0; left--) {
+                sorted[next[sightings.take()]++] = entry;
+            }
         }
     }
 }
