@@ -39,12 +39,11 @@ public final class PngFile {
             }
             return;
         }
-        Path temporary = place.resolveSibling("." + place.getFileName() + "." + ProcessHandle.current().pid() + ".tmp");
+        // The process's number would tell more, but loads a thread pool.
+        Path temporary = place.resolveSibling("." + place.getFileName() + "." + System.nanoTime() + ".tmp");
         Thread cleaner = new Thread(() -> delete(temporary), "cleaner");
         Runtime.getRuntime().addShutdownHook(cleaner);
         try {
-            // Left by a process that was killed and had the same number.
-            Files.deleteIfExists(temporary);
             Files.createFile(temporary);
             try (ImageOutputStream out = new FileImageOutputStream(temporary.toFile())) {
                 encode(picture, out);

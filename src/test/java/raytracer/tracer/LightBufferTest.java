@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -238,21 +237,21 @@ class LightBufferTest {
         assertTrue(LazyLightBuffer.of(many, bvh, Hulls.of(spheres)).isEmpty(), "as all would take too much memory");
     }
 
+    /** @param lamps that are to have buffers */
+    private static List<Surfaces> surfaces(List<Shape.Sphere> spheres, Mesh mesh, List<Lamp> lamps) {
+        Bvh curved = tree(spheres), flat = tree(mesh);
+        return List.of(new Spheres(inOrder(curved, spheres), 0, curved, lamps),
+                new Triangles(mesh, COUNT, flat, lamps, ForkJoinPool.commonPool()));
+    }
+
     @ParameterizedTest(name = "blocks the same rays as the tree, from the moment that it is built: directional {0}")
     @CsvSource({"false", "true"})
     void blocksTheSameRaysAsTheTree(boolean directional) {
         Random random = new Random(6);
         Lamp lamp = lamp(directional, directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3));
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
-        Bvh curved = tree(spheres);
         Mesh mesh = triangles(random, ORIGIN, .1);
-        Bvh flat = tree(mesh);
-        List<Surfaces> with = new ArrayList<>(), without = new ArrayList<>();
-        for (List<Surfaces> surfaces : List.of(with, without)) {
-            List<Lamp> lamps = surfaces == with ? List.of(lamp) : List.of();
-            surfaces.add(new Spheres(inOrder(curved, spheres), 0, curved, lamps));
-            surfaces.add(new Triangles(mesh, COUNT, flat, lamps, ForkJoinPool.commonPool()));
-        }
+        List<Surfaces> with = surfaces(spheres, mesh, List.of(lamp)), without = surfaces(spheres, mesh, List.of());
         int blocked = 0;
         Scratch scratch = new Scratch();
         // The last third of these are looked up.
@@ -301,15 +300,9 @@ class LightBufferTest {
         Random random = new Random(9);
         Pinhole pinhole = new Pinhole(Scenes.parse("size 48 48\ncamera " + camera + "\nsphere 0 0 0 1").scene());
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
-        Bvh curved = tree(spheres);
         Mesh mesh = triangles(random, ORIGIN, .1);
-        Bvh flat = tree(mesh);
-        List<Surfaces> with = new ArrayList<>(), without = new ArrayList<>();
-        for (List<Surfaces> surfaces : List.of(with, without)) {
-            List<Lamp> lamps = surfaces == with ? List.of(pinhole.lamp()) : List.of();
-            surfaces.add(new Spheres(inOrder(curved, spheres), 0, curved, lamps));
-            surfaces.add(new Triangles(mesh, COUNT, flat, lamps, ForkJoinPool.commonPool()));
-        }
+        List<Surfaces> with = surfaces(spheres, mesh, List.of(pinhole.lamp()));
+        List<Surfaces> without = surfaces(spheres, mesh, List.of());
         for (Surfaces kind : with) {
             assertNotNull(((BoundedSurfaces) kind).lightBuffer(pinhole.lamp()).insteadOfWalks(300_000));
         }
