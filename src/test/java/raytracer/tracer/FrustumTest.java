@@ -1,8 +1,11 @@
 package raytracer.tracer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import raytracer.scene.Vector;
@@ -28,6 +31,17 @@ class FrustumTest {
         for (int face = 0; face < 6; face++) {
             assertEquals(expected[face], areas[face], 1e-12, "face " + face);
         }
+    }
+
+    @Test
+    void isNothingOfAFaceBehind() {
+        Face behind = Face.around()[5];
+        behind.include(EVERYWHERE.clone(), new double[] {9, 9, 9});
+        assertTrue(behind.overlaps(-1, 1, -1, 1));
+        new Frustum(List.of(new Vector(-1, 1, 2), new Vector(1, 1, 2), new Vector(1, -1, 2), new Vector(-1, -1, 2)))
+                .limit(behind);
+        assertFalse(behind.overlaps(-1, 1, -1, 1));
+        assertEquals(0, behind.divide(.1, 0));
     }
 
     @Test

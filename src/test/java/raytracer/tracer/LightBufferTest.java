@@ -57,6 +57,18 @@ class LightBufferTest {
         return mesh.build();
     }
 
+    private static Mesh scaled(Mesh mesh, double size) {
+        Mesh.Builder scaled = new Mesh.Builder();
+        for (int k = 0; k < mesh.triangles(); k++) {
+            for (int corner = 0; corner < 3; corner++) {
+                Vector v = mesh.corner(k, corner).times(size);
+                scaled.addVertex(v.x(), v.y(), v.z());
+            }
+            scaled.addTriangle(3 * k, 3 * k + 1, 3 * k + 2);
+        }
+        return scaled.build();
+    }
+
     private static List<Shape.Sphere> spheres(Random random, Vector middle, double size) {
         return IntStream.range(0, COUNT).mapToObj(k -> new Shape.Sphere(
                 plus(middle, 1, within(random, 1)), size * (.1 + random.nextDouble()), Material.DEFAULT)).toList();
@@ -293,14 +305,16 @@ class LightBufferTest {
         assertTrue(blocked > 1000, blocked + " blocked");
     }
 
-    @ParameterizedTest(name = "shows the eye what the tree shows: {0}")
-    @CsvSource({"3 2 4 0 0 0 0 1 0 40", "0 0 3 .3 .2 0 0 1 0 90", "0 .9 0 0 0 .1 0 1 0 150", "0 0 0 1 .1 .2 0 1 0 100",
-        "-5e3 1e3 0 0 0 0 0 0 1 .03", "2 2 2 0 0 0 0 0 1 60"})
-    void showsTheEyeWhatTheTreeShows(String camera) throws Exception {
+    @ParameterizedTest(name = "shows the eye what the tree shows: {0}, world of size {1}")
+    @CsvSource({"3 2 4 0 0 0 0 1 0 40, 1", "0 0 3 .3 .2 0 0 1 0 90, 1", "0 .9 0 0 0 .1 0 1 0 150, 1",
+        "0 0 0 1 .1 .2 0 1 0 100, 1", "-5e3 1e3 0 0 0 0 0 0 1 .03, 1", "2 2 2 0 0 0 0 0 1 60, 1",
+        "3e-4 2e-4 4e-4 0 0 0 0 1 0 40, 1e-4", "3e7 2e7 4e7 0 0 0 0 1 0 40, 1e7"})
+    void showsTheEyeWhatTheTreeShows(String camera, double size) throws Exception {
         Random random = new Random(9);
         Pinhole pinhole = new Pinhole(Scenes.parse("size 48 48\ncamera " + camera + "\nsphere 0 0 0 1").scene());
-        List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
-        Mesh mesh = triangles(random, ORIGIN, .1);
+        List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06).stream()
+                .map(s -> new Shape.Sphere(s.centre().times(size), s.radius() * size, s.material())).toList();
+        Mesh mesh = scaled(triangles(random, ORIGIN, .1), size);
         List<Surfaces> with = surfaces(spheres, mesh, List.of(pinhole.lamp()));
         List<Surfaces> without = surfaces(spheres, mesh, List.of());
         for (Surfaces kind : with) {
