@@ -34,14 +34,15 @@ class FrustumTest {
     }
 
     @Test
-    void isNothingOfAFaceBehind() {
-        Face behind = Face.around()[5];
-        behind.include(EVERYWHERE.clone(), new double[] {9, 9, 9});
-        assertTrue(behind.overlaps(-1, 1, -1, 1));
-        new Frustum(List.of(new Vector(-1, 1, 2), new Vector(1, 1, 2), new Vector(1, -1, 2), new Vector(-1, -1, 2)))
-                .limit(behind);
-        assertFalse(behind.overlaps(-1, 1, -1, 1));
-        assertEquals(0, behind.divide(.1, 0));
+    void isNothingWhereThereIsNothingToSee() {
+        Face face = Face.around()[5];
+        // Things are on the right, and the picture shows what is on the left.
+        face.include(new double[] {.5, -1, -1.1}, new double[] {.9, 1, -1});
+        assertTrue(face.overlaps(-1, 1, -1, 1));
+        new Frustum(List.of(new Vector(-.9, 1, -1), new Vector(-.5, 1, -1), new Vector(-.5, -1, -1),
+                new Vector(-.9, -1, -1))).limit(face);
+        assertFalse(face.overlaps(-1, 1, -1, 1));
+        assertEquals(0, face.divide(.1, 0));
     }
 
     @Test
