@@ -3,6 +3,7 @@ package raytracer.tracer;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
@@ -13,11 +14,14 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 final class LazyLightBuffer {
 
-    /** It takes as long to build as so many walks for each thing: about as long as a walk that is spared. */
-    private static final int WALKS = 1;
-
-    /** And as so many more because the code that builds it is cold. */
+    /**
+     * It takes about as long to build as a walk for each thing, and as so many more while the code that builds it is
+     * cold: one fewer for each thing that it has sorted.
+     */
     private static final int COLD_WALKS = 250_000;
+
+    /** By any buffer: HotSpot too counts for the whole process. */
+    private static final AtomicLong SORTED = new AtomicLong();
 
     /** The most things times lamps, with the eye: more could take more than 370 MB, though 200 are usual. */
     private static final long MOST_THINGS = 1 << 22;
@@ -25,15 +29,14 @@ final class LazyLightBuffer {
     private final Bvh bvh;
     private final Hulls hulls;
     private final Lamp lamp;
-    private final long due;
     private final AtomicLong walks = new AtomicLong();
+    private final AtomicBoolean begun = new AtomicBoolean();
     private volatile LightBuffer buffer;
 
     private LazyLightBuffer(Bvh bvh, Hulls hulls, Lamp lamp) {
         this.bvh = bvh;
         this.hulls = hulls;
         this.lamp = lamp;
-        due = COLD_WALKS + WALKS * (long) bvh.order().length;
     }
 
     /** By lamp, which are told apart as objects; of none if there is not the memory for it. */
@@ -62,10 +65,10 @@ final class LazyLightBuffer {
     /** The buffer, to use instead of so many walks; null if it is not there. */
     LightBuffer insteadOfWalks(int rays) {
         if (buffer == null) {
-            long before = walks.getAndAdd(rays);
-            // For one thread only.
-            if (before < due && before + rays >= due && hasRoom()) {
+            long due = bvh.order().length + Math.max(0, COLD_WALKS - SORTED.get());
+            if (walks.addAndGet(rays) >= due && begun.compareAndSet(false, true) && hasRoom()) {
                 buffer = LightBufferBuilder.build(bvh, hulls, lamp);
+                SORTED.addAndGet(bvh.order().length);
             }
         }
         return buffer;
