@@ -124,6 +124,7 @@ public final class SceneParser {
             case TRI -> triangle(o);
             case SPHERE -> shapes.add(new Shape.Sphere(o.vector(0), o.positive(3), material.current()));
             case PLANE -> shapes.add(new Shape.Plane(o.vector(0), o.direction(3), material.current()));
+            default -> throw new IllegalStateException("there is no rule for " + command);
         }
     }
 
