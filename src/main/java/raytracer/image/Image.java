@@ -1,13 +1,9 @@
 package raytracer.image;
 
 import java.awt.image.BufferedImage;
-import java.util.concurrent.atomic.LongAdder;
 import raytracer.tracer.PixelSink;
 
-/**
- * A picture of 8 bits a component, and the one place where linear colour becomes bytes. Threads may set different
- * pixels at the same time.
- */
+/** A picture of 8 bits a component. Threads may set different pixels at the same time. */
 public final class Image implements PixelSink {
 
     private static final int COMPONENTS = 3;
@@ -18,7 +14,7 @@ public final class Image implements PixelSink {
     private final int width;
     private final int height;
     private final byte[] bytes;
-    private final LongAdder undefined = new LongAdder();
+    private final Quantiser quantiser;
 
     /**
      * A black picture.
@@ -32,6 +28,7 @@ public final class Image implements PixelSink {
         this.width = width;
         this.height = height;
         bytes = new byte[COMPONENTS * width * height];
+        quantiser = new Quantiser(width);
     }
 
     /** The memory that a picture takes; the greatest long if it is beyond that. */
@@ -48,24 +45,9 @@ public final class Image implements PixelSink {
         return height;
     }
 
-    /** Sets pixels; each component is cut to [0, 1] and rounded to the nearest of 256 steps. */
     @Override
-    public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
-        quantise(red, green, blue, from, count, bytes, COMPONENTS * (y * width + x), undefined);
-    }
-
-    /** Turns pixels into bytes, from the one at index {@code to} on, and counts those that are no number. */
-    static void quantise(double[] red, double[] green, double[] blue, int from, int count, byte[] bytes, int to,
-            LongAdder undefined) {
-        int at = to;
-        for (int i = from; i < from + count; i++) {
-            bytes[at++] = quantise(red[i]);
-            bytes[at++] = quantise(green[i]);
-            bytes[at++] = quantise(blue[i]);
-            if (Double.isNaN(red[i] + green[i] + blue[i])) {
-                undefined.increment();
-            }
-        }
+    public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
+        quantiser.set(bytes, x, y, columns, rows, red, green, blue);
     }
 
     /** A pixel as 0xRRGGBB. */
@@ -76,24 +58,7 @@ public final class Image implements PixelSink {
 
     /** How many pixels were set to no number: none, unless the tracer has a fault. */
     public long undefinedPixels() {
-        return undefined.sum();
-    }
-
-    /**
-     * floor(255 c + 1/2) of the double c exactly. It is rounded once, to a whole number: rounding the product before
-     * would decide the many colours such as .3 that are half a step but for their own last bit. The one double that is
-     * half a step exactly is 1/2 (255 divides no other numerator), which rounds to the even 128, and so upwards. NaN
-     * becomes 0.
-     */
-    static byte quantise(double c) {
-        if (!(c > 0)) {
-            return 0;
-        }
-        if (c >= 1) {
-            return (byte) 255;
-        }
-        // From 2^52 on doubles are whole numbers, which are in their last bits.
-        return (byte) Double.doubleToRawLongBits(Math.fma(255, c, 0x1p52));
+        return quantiser.undefinedPixels();
     }
 
     /** The same bytes as the standard library's picture. */

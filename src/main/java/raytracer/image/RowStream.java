@@ -8,7 +8,6 @@ import java.awt.image.SampleModel;
 import java.awt.image.WritableRaster;
 import java.util.Vector;
 import java.util.concurrent.atomic.AtomicReferenceArray;
-import java.util.concurrent.atomic.LongAdder;
 import raytracer.tracer.PixelSink;
 
 /**
@@ -26,7 +25,7 @@ public final class RowStream implements PixelSink, RenderedImage {
     private final int width;
     private final int height;
     private final int bandRows;
-    private final LongAdder undefined = new LongAdder();
+    private final Quantiser quantiser;
     /** Band number b is at place b modulo the length. */
     private final AtomicReferenceArray<Band> bands;
     private int firstBand;
@@ -48,6 +47,7 @@ public final class RowStream implements PixelSink, RenderedImage {
         this.width = width;
         this.height = height;
         this.bandRows = bandRows;
+        quantiser = new Quantiser(width);
         Math.multiplyExact(COMPONENTS * bandRows, width);
         long most = Math.max(2, MOST_BYTES / ((long) COMPONENTS * bandRows * width));
         bands = new AtomicReferenceArray<>((int) Math.min(most, (height - 1L) / bandRows + 1));
@@ -70,9 +70,8 @@ public final class RowStream implements PixelSink, RenderedImage {
     }
 
     @Override
-    public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
-        byte[] bytes = bands.get(place(y)).bytes;
-        Image.quantise(red, green, blue, from, count, bytes, COMPONENTS * (y % bandRows * width + x), undefined);
+    public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
+        quantiser.set(bands.get(place(y)).bytes, x, y % bandRows, columns, rows, red, green, blue);
     }
 
     @Override
@@ -86,7 +85,7 @@ public final class RowStream implements PixelSink, RenderedImage {
 
     /** How many pixels were set to no number: none, unless the tracer has a fault. */
     public long undefinedPixels() {
-        return undefined.sum();
+        return quantiser.undefinedPixels();
     }
 
     /** Lets all who wait or will ask fail with this, as the other side has failed. */

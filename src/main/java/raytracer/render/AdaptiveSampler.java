@@ -76,7 +76,7 @@ final class AdaptiveSampler implements Sampler {
 
     private void send(int left, int top, PixelSink sink) {
         for (int row = 1; row < rows - 1; row++) {
-            means.sendRow(row * columns + 1, columns - 2, left, top + row - 1, sink);
+            means.send(row * columns + 1, left, top + row - 1, columns - 2, 1, sink);
         }
     }
 

@@ -16,12 +16,12 @@ public final class Canvas implements PixelSink {
     }
 
     @Override
-    public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
-        int at = COMPONENTS * (y * width + x);
-        for (int i = from; i < from + count; i++) {
-            values[at++] = cut(red[i]);
-            values[at++] = cut(green[i]);
-            values[at++] = cut(blue[i]);
+    public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
+        for (int i = 0; i < columns * rows; i++) {
+            int at = COMPONENTS * ((y + i / columns) * width + x + i % columns);
+            values[at] = cut(red[i]);
+            values[at + 1] = cut(green[i]);
+            values[at + 2] = cut(blue[i]);
         }
     }
 

@@ -17,20 +17,8 @@ final class CentreSampler implements Sampler {
 
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
-        for (int row = 0; row < rows; row++) {
-            pointAtRow(left, top + row, columns);
-        }
-        tracer.trace(samples);
-        for (int row = 0; row < rows; row++) {
-            sink.setRow(left, top + row, columns, samples.red, samples.green, samples.blue, row * columns);
-        }
-        samples.count = 0;
-    }
-
-    private void pointAtRow(int left, int y, int columns) {
-        for (int x = left; x < left + columns; x++) {
-            samples.add(x + 0.5, y + 0.5);
-        }
+        tracer.traceCentres(left, top, columns, rows, samples);
+        sink.setPixels(left, top, columns, rows, samples.red, samples.green, samples.blue);
     }
 
     @Override

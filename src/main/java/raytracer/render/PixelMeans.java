@@ -88,19 +88,18 @@ final class PixelMeans {
 
     /** Sends all pixels of a rectangle, of which these are the means. */
     void send(int left, int top, int columns, int rows, PixelSink sink) {
-        for (int row = 0; row < rows; row++) {
-            sendRow(row * columns, columns, left, top + row, sink);
-        }
+        send(0, left, top, columns, rows, sink);
     }
 
-    /** Sends some of these pixels, from one on, which are in a row of the picture. */
-    void sendRow(int first, int pixels, int x, int y, PixelSink sink) {
+    /** Sends some of these pixels, from one on: a rectangle, one row after the other. */
+    void send(int first, int left, int top, int columns, int rows, PixelSink sink) {
+        int pixels = columns * rows;
         double[] r = new double[pixels], g = new double[pixels], b = new double[pixels];
         for (int i = 0; i < pixels; i++) {
             r[i] = red(first + i);
             g[i] = green(first + i);
             b[i] = blue(first + i);
         }
-        sink.setRow(x, y, pixels, r, g, b, 0);
+        sink.setPixels(left, top, columns, rows, r, g, b);
     }
 }

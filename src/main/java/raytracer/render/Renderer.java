@@ -139,8 +139,8 @@ public final class Renderer {
     /** Counts pixels from a region's corner. */
     private record InRegion(Region region, PixelSink sink) implements PixelSink {
         @Override
-        public void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from) {
-            sink.setRow(x - region.x(), y - region.y(), count, red, green, blue, from);
+        public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
+            sink.setPixels(x - region.x(), y - region.y(), columns, rows, red, green, blue);
         }
     }
 

@@ -19,7 +19,7 @@ final class Beam {
     /** In tree space: from farther away, the doubles here are not exact enough for the boxes' padding. */
     static final double FARTHEST = 0x1p20;
 
-    // By axis: the intervals of origins and directions.
+    // By axis: the intervals of origins and directions, which may be longer than 1.
     private final double[] leastOrigin = new double[3];
     private final double[] greatestOrigin = new double[3];
     private final double[] leastDirection = new double[3];
@@ -47,7 +47,12 @@ final class Beam {
         } else {
             span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
         }
-        span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
+        if (rays.leaveEye && rays.window != null) {
+            System.arraycopy(rays.window.least(), 0, leastDirection, 0, leastDirection.length);
+            System.arraycopy(rays.window.greatest(), 0, greatestDirection, 0, greatestDirection.length);
+        } else {
+            span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
+        }
         backwards = false;
         reach = 0;
         for (int i = from; i < to; i++) {

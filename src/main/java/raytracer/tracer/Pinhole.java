@@ -45,6 +45,19 @@ final class Pinhole {
                 x * right.z() + y * up.z() - backward.z());
     }
 
+    /** A rectangle of the picture, whose sides are in pixels, from the left and from the top. */
+    Window window(double fromX, double toX, double fromY, double toY) {
+        double x0 = 2 * fromX - width, x1 = 2 * toX - width, y0 = height - 2 * toY, y1 = height - 2 * fromY;
+        double[] least = new double[3], greatest = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double r = right.along(axis), u = up.along(axis), b = backward.along(axis);
+            // By the height, the plane's distance from the eye.
+            least[axis] = (Math.min(x0 * r, x1 * r) + Math.min(y0 * u, y1 * u) - b) / height;
+            greatest[axis] = (Math.max(x0 * r, x1 * r) + Math.max(y0 * u, y1 * u) - b) / height;
+        }
+        return new Window(least, greatest);
+    }
+
     /** The eye in place of a light. */
     Lamp lamp() {
         return lamp;
@@ -73,10 +86,7 @@ final class Pinhole {
                 new Pass.Fill(rays.ox, eye.x()),
                 new Pass.Fill(rays.oy, eye.y()),
                 new Pass.Fill(rays.oz, eye.z()),
-                new Pass.Fill(rays.originError, 0),
-                new Pass.Fill(rays.red, 1),
-                new Pass.Fill(rays.green, 1),
-                new Pass.Fill(rays.blue, 1));
+                new Pass.Fill(rays.originError, 0));
     }
 
     /** Of directions. */

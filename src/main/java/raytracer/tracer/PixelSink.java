@@ -5,15 +5,13 @@ package raytracer.tracer;
 public interface PixelSink {
 
     /**
-     * Some of a row's pixels, one beside the other.
+     * The pixels of a rectangle, row by row.
      *
-     * @param x     of the first, from the left, from 0
-     * @param y     from the top, from 0
-     * @param count how many
-     * @param red   linear, not cut to a range; so are the others
-     * @param from  the index of the first pixel's colour
+     * @param x   of the first, from the left, from 0
+     * @param y   of the first, from the top, from 0
+     * @param red linear, not cut to a range; so are the others. They may be overwritten.
      */
-    void setRow(int x, int y, int count, double[] red, double[] green, double[] blue, int from);
+    void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue);
 
     /** Waits until there is room for the pixels from this row down to the tile's end. */
     default void awaitRoom(int row) { }

@@ -27,6 +27,9 @@ final class Rays {
 
     final int[] pixel = new int[CAPACITY];
 
+    /** Of rays that leave the eye, what they go through; null if that is not known. */
+    Window window;
+
     /** Whether none has left or changed its place: then their pixels are consecutive numbers. */
     boolean areInOrder;
 
@@ -53,7 +56,7 @@ final class Rays {
     final double[] nz = new double[CAPACITY];
     final double[] normalError = new double[CAPACITY];
 
-    // How much of the light that comes along the ray reaches the pixel.
+    // How much of the light that comes along the ray reaches the pixel: not set while it is all, as from the eye.
     final double[] red = new double[CAPACITY];
     final double[] green = new double[CAPACITY];
     final double[] blue = new double[CAPACITY];
@@ -92,10 +95,12 @@ final class Rays {
     /**
      * Starts at the eye, through some of these points: a ray's pixel is the number of its sample.
      *
-     * @param aiming as {@link Pinhole#aiming} makes it
+     * @param aiming  as {@link Pinhole#aiming} makes it
+     * @param through that has all these points, or null
      */
-    void start(Pass aiming, Samples samples, int from, int number) {
+    void start(Pass aiming, Window through, Samples samples, int from, int number) {
         count = number;
+        window = through;
         leaveEye = true;
         areInOrder = true;
         System.arraycopy(samples.x, from, nx, 0, count);
@@ -145,7 +150,7 @@ final class Rays {
 
     /** Whether less than this part of each component of the light that comes along a ray reaches the pixel. */
     boolean isFainter(int ray, double limit) {
-        return red[ray] < limit && green[ray] < limit && blue[ray] < limit;
+        return leaveEye ? limit > 1 : red[ray] < limit && green[ray] < limit && blue[ray] < limit;
     }
 
     private double distanceError(int ray, int slot, double t) {

@@ -1,5 +1,7 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
+
 /**
  * Points of the picture and the colours that their rays come to, one array per quantity. The first {@link #count} are
  * in use; rays that are near one another in the arrays are traced the faster for being near in the picture.
@@ -42,6 +44,18 @@ public final class Samples {
     /** @param faintest what is seen in mirrors counts as part of a path if this much of its light arrives */
     public static Samples ofColourAndPath(double faintest) {
         return new Samples(new int[CAPACITY], faintest);
+    }
+
+    /** Takes the centres of a rectangle's pixels, row by row, in place of all points. */
+    void setCentres(int left, int top, int columns, int rows) {
+        count = columns * rows;
+        for (int i = 0; i < columns; i++) {
+            x[i] = left + i + 0.5;
+        }
+        for (int row = 0; row < rows; row++) {
+            System.arraycopy(x, 0, x, row * columns, columns);
+            Arrays.fill(y, row * columns, (row + 1) * columns, top + row + 0.5);
+        }
     }
 
     /** Adds a point. */

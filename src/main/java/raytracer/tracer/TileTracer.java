@@ -27,6 +27,7 @@ public final class TileTracer {
      */
     private static final AtomicLong MET = new AtomicLong();
 
+    private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
     private final Material[] material;
     private final int maxDepth;
@@ -51,6 +52,9 @@ public final class TileTracer {
     /** What is being traced: rays know their sample's number as their pixel. */
     private Samples samples;
 
+    /** Which holds the samples that are traced next, or null. */
+    private Window window;
+
     private long primaryCount;
     private long reflectionCount;
 
@@ -60,6 +64,7 @@ public final class TileTracer {
         this.maxDepth = maxDepth;
         rays = new Rays(slots.declared(), surfaces);
         groups = new Groups(slots);
+        this.pinhole = pinhole;
         aiming = pinhole.aiming(rays);
         find = new Pass[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
@@ -71,10 +76,28 @@ public final class TileTracer {
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
-        int most = MET.get() < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
+        window = null;
+        int most = most();
         for (int from = 0; from < all.count; from += most) {
             trace(from, Math.min(from + most, all.count));
         }
+    }
+
+    /** Traces the rays through the centres of a tile's pixels, which become the points, and sets their colours. */
+    public void traceCentres(int left, int top, int columns, int rows, Samples all) {
+        samples = all;
+        all.setCentres(left, top, columns, rows);
+        int most = Math.max(1, most() / columns);
+        for (int row = 0; row < rows; row += most) {
+            int end = Math.min(row + most, rows);
+            window = pinhole.window(left + 0.5, left + columns - 0.5, top + row + 0.5, top + end - 0.5);
+            trace(row * columns, end * columns);
+        }
+    }
+
+    /** How many rays are traced together. */
+    private static int most() {
+        return MET.get() < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
     }
 
     private void trace(int from, int to) {
@@ -94,7 +117,7 @@ public final class TileTracer {
         if (samples.path != null) {
             Arrays.fill(samples.path, from, to, 0);
         }
-        rays.start(aiming, samples, from, to - from);
+        rays.start(aiming, window, samples, from, to - from);
         primaryCount += to - from;
     }
 
@@ -212,6 +235,11 @@ public final class TileTracer {
 
     /** Takes a mirror's share of light from rays, and keeps those that are worth following; returns how many are. */
     private int dim(int from, int to, Colour mirror, int keptBefore) {
+        if (rays.leaveEye) {
+            Pass.run(new Pass.Fill(rays.red, 1), from, to);
+            Pass.run(new Pass.Fill(rays.green, 1), from, to);
+            Pass.run(new Pass.Fill(rays.blue, 1), from, to);
+        }
         int count = keptBefore;
         for (int i = from; i < to; i++) {
             rays.red[i] = times(rays.red[i], mirror.red());

@@ -18,52 +18,62 @@ class ImageTest {
         return steps.add(new BigDecimal("0.5")).setScale(0, RoundingMode.FLOOR).intValueExact();
     }
 
+    /** What a colour's component becomes. */
+    static int byteOf(double c) {
+        Image image = new Image(1, 1);
+        image.setPixels(0, 0, 1, 1, new double[] {c}, new double[1], new double[1]);
+        return image.rgb(0, 0) >> 16;
+    }
+
     @Test
     void areColoursCutAndRounded() {
-        assertEquals(0, Image.quantise(-1) & 255);
-        assertEquals(0, Image.quantise(0) & 255);
-        assertEquals(128, Image.quantise(.5) & 255);
-        assertEquals(255, Image.quantise(1) & 255);
-        assertEquals(255, Image.quantise(Double.POSITIVE_INFINITY) & 255);
-        assertEquals(0, Image.quantise(Double.NaN) & 255);
+        assertEquals(0, byteOf(-1));
+        assertEquals(0, byteOf(0));
+        assertEquals(128, byteOf(.5));
+        assertEquals(255, byteOf(1));
+        assertEquals(255, byteOf(Double.POSITIVE_INFINITY));
+        assertEquals(0, byteOf(Double.NaN));
     }
 
     @Test
     void areRoundedExactlyWhereTheProductIsNot() {
         // .3 is a little less than 76.5 / 255, but 255 * .3 rounds to 76.5.
         assertEquals(76.5, 255 * .3);
-        assertEquals(76, Image.quantise(.3) & 255);
+        assertEquals(76, byteOf(.3));
         Random random = new Random(1);
         for (int step = 0; step < 255; step++) {
             double tie = (step + .5) / 255;
             for (double c = tie - 4 * Math.ulp(tie); c <= tie + 4 * Math.ulp(tie); c = Math.nextUp(c)) {
-                assertEquals(exact(c), Image.quantise(c) & 255, () -> "near step " + tie);
+                assertEquals(exact(c), byteOf(c), () -> "near step " + tie);
             }
             double any = random.nextDouble();
-            assertEquals(exact(any), Image.quantise(any) & 255);
+            assertEquals(exact(any), byteOf(any));
         }
     }
 
     @Test
     void standWhereTheyWereSet() {
-        Image image = new Image(3, 2);
-        image.setRow(1, 1, 2, new double[] {9, .2, 1}, new double[] {9, .4, .5}, new double[] {9, .6, 0}, 1);
-        assertEquals(0xFF8000, image.rgb(2, 1));
-        assertEquals(0x336699, image.rgb(1, 1));
-        assertEquals(0, image.rgb(0, 1));
+        Image image = new Image(4, 3);
+        image.setPixels(1, 1, 2, 2, new double[] {.2, 1, 0, .4}, new double[] {.4, .5, .2, 0},
+                new double[] {.6, 0, 1, .8});
+        int[][] wanted = {{0, 0, 0, 0}, {0, 0x336699, 0xFF8000, 0}, {0, 0x0033FF, 0x6600CC, 0}};
         BufferedImage standard = image.toBufferedImage();
-        assertEquals(0xFFFF8000, standard.getRGB(2, 1));
-        assertEquals(0xFF000000, standard.getRGB(0, 0));
+        for (int y = 0; y < 3; y++) {
+            for (int x = 0; x < 4; x++) {
+                assertEquals(wanted[y][x], image.rgb(x, y), x + " " + y);
+                assertEquals(0xFF000000 | wanted[y][x], standard.getRGB(x, y), x + " " + y);
+            }
+        }
     }
 
     @Test
     void thatAreNoNumberAreCounted() {
         Image image = new Image(5, 1);
         double nan = Double.NaN;
-        image.setRow(0, 0, 1, new double[1], new double[1], new double[1], 0);
+        image.setPixels(0, 0, 1, 1, new double[1], new double[1], new double[1]);
         assertEquals(0, image.undefinedPixels());
-        image.setRow(1, 0, 4, new double[] {nan, 0, 0, nan}, new double[] {0, nan, 0, nan},
-                new double[] {0, 0, nan, 0}, 0);
+        image.setPixels(1, 0, 4, 1, new double[] {nan, 0, 0, nan}, new double[] {0, nan, 0, nan},
+                new double[] {0, 0, nan, 0});
         assertEquals(4, image.undefinedPixels());
     }
 

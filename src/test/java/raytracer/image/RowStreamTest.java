@@ -24,19 +24,23 @@ class RowStreamTest {
 
     private static final Duration SOON = Duration.ofSeconds(20);
 
+    private static void set(RowStream rows, int left, int y, int count, int width, int height) {
+        double[] red = new double[count], green = new double[count], blue = new double[count];
+        Arrays.setAll(red, i -> (left + i) / (double) width);
+        Arrays.fill(green, y / (double) height);
+        Arrays.fill(blue, .5);
+        rows.setPixels(left, y, count, 1, red, green, blue);
+    }
+
     private static void render(RowStream rows, int width, int height, int band, AtomicInteger reached) {
         for (int top = 0; top < height; top += band) {
             rows.awaitRoom(top);
             reached.set(top);
             int end = Math.min(height, top + band);
             for (int y = top; y < end; y++) {
-                double[] red = new double[width], green = new double[width], blue = new double[width];
-                Arrays.setAll(red, x -> x / (double) width);
-                Arrays.fill(green, y / (double) height);
-                Arrays.fill(blue, .5);
                 // In two parts, as tiles send them.
-                rows.setRow(width / 3, y, width - width / 3, red, green, blue, width / 3);
-                rows.setRow(0, y, width / 3, red, green, blue, 0);
+                set(rows, width / 3, y, width - width / 3, width, height);
+                set(rows, 0, y, width / 3, width, height);
             }
             rows.tileDone(top, (end - top) * width);
         }
@@ -53,7 +57,7 @@ class RowStreamTest {
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
             for (int y = 0; y < height; y++) {
                 for (int x = 0; x < 50; x++) {
-                    int wanted = (Image.quantise(x / 50.0) & 255) << 16 | (Image.quantise(y / (double) height) & 255) << 8 | 128;
+                    int wanted = ImageTest.byteOf(x / 50.0) << 16 | ImageTest.byteOf(y / (double) height) << 8 | 128;
                     assertEquals(wanted, image.getRGB(x, y) & 0xFFFFFF);
                 }
             }
@@ -95,7 +99,7 @@ class RowStreamTest {
     void countsPixelsThatAreNoNumber() {
         RowStream rows = new RowStream(2, 1, 1);
         rows.awaitRoom(0);
-        rows.setRow(0, 0, 2, new double[] {Double.NaN, 0}, new double[2], new double[2], 0);
+        rows.setPixels(0, 0, 2, 1, new double[] {Double.NaN, 0}, new double[2], new double[2]);
         assertEquals(1, rows.undefinedPixels());
     }
 }

@@ -77,7 +77,7 @@ class ArithmeticStabilityTest {
         assertEquals(0, (byte) (int) (256.0 * 1) & 255, "256 steps wrap");
         assertEquals(77, (int) (255 * .3 + .5), "a product rounded up to a half step");
         Image image = new Image(1, 1);
-        image.setRow(0, 0, 1, new double[] {1}, new double[] {.3}, new double[] {1e300}, 0);
+        image.setPixels(0, 0, 1, 1, new double[] {1}, new double[] {.3}, new double[] {1e300});
         assertEquals(0xFF4CFF, image.rgb(0, 0));
     }
 

@@ -111,10 +111,10 @@ class LawsTest {
             for (int left = 0; left < 40; left += 3) {
                 int x0 = left, y0 = top;
                 Region part = new Region(left, top, Math.min(3, 40 - left), Math.min(7, 30 - top));
-                new Renderer(tracer, Sampling.CENTRES, 1, part, (x, y, count, r, g, b, from) -> {
-                    for (int k = 0; k < count; k++) {
-                        int i = 3 * (40 * (y0 + y) + x0 + x + k);
-                        double[] colour = {r[from + k], g[from + k], b[from + k]};
+                new Renderer(tracer, Sampling.CENTRES, 1, part, (x, y, columns, rows, r, g, b) -> {
+                    for (int k = 0; k < columns * rows; k++) {
+                        int i = 3 * (40 * (y0 + y + k / columns) + x0 + x + k % columns);
+                        double[] colour = {r[k], g[k], b[k]};
                         assertArrayEquals(Arrays.copyOfRange(whole, i, i + 3), colour, 0);
                         seen[0]++;
                     }

@@ -343,7 +343,7 @@ class LightBufferTest {
             samples.add(p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
         }
         Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
-        rays.start(pinhole.aiming(rays), samples, 0, Rays.CAPACITY);
+        rays.start(pinhole.aiming(rays), null, samples, 0, Rays.CAPACITY);
         rays.clearHits();
         surfaces.forEach(kind -> kind.finding(rays, pinhole.lamp(), scratch).run(0, Rays.CAPACITY));
         return rays;

@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -52,5 +53,36 @@ class SamplesTest {
             }
         }
         assertTrue(paths > WIDTH * HEIGHT / (SIDE * SIDE), "some tiles must show more than one surface");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"final", "sunflower", "planet", "star", "inside"})
+    @DisplayName("at the centres of a rectangle's pixels get the colours that they get as points like any")
+    void areTheSameAsCentres(String name) throws Exception {
+        Scene scene = Scenes.parse(Files.readString(Path.of("scenes", name + ".scene"))).scene().withSize(WIDTH, HEIGHT);
+        TileTracer tracer = Tracer.compile(scene, 1).newTileTracer();
+        Samples centres = Samples.ofColourAndPath(0), points = Samples.ofColourAndPath(0);
+        for (int top = 0; top < HEIGHT; top += 13) {
+            for (int left = 0; left < WIDTH; left += SIDE) {
+                int rows = Math.min(13, HEIGHT - top);
+                tracer.traceCentres(left, top, SIDE, rows, centres);
+                points.count = 0;
+                for (int i = 0; i < SIDE * rows; i++) {
+                    points.add(left + i % SIDE + .5, top + i / SIDE + .5);
+                }
+                tracer.trace(points);
+                assertEquals(points.count, centres.count);
+                assertSame(points.x, centres.x, points.count);
+                assertSame(points.y, centres.y, points.count);
+                assertSame(points.red, centres.red, points.count);
+                assertSame(points.green, centres.green, points.count);
+                assertSame(points.blue, centres.blue, points.count);
+                assertArrayEquals(Arrays.copyOf(points.path, points.count), Arrays.copyOf(centres.path, points.count));
+            }
+        }
+    }
+
+    private static void assertSame(double[] expected, double[] actual, int count) {
+        assertArrayEquals(Arrays.copyOf(expected, count), Arrays.copyOf(actual, count));
     }
 }

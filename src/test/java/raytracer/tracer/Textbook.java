@@ -64,7 +64,7 @@ public final class Textbook {
                 Vector d = rounded(new Vector(a * u.x() + b * v.x() - w.x(), a * u.y() + b * v.y() - w.y(),
                         a * u.z() + b * v.z() - w.z()).unit());
                 double[] c = colour(rounded(eye), d, 1);
-                image.setRow(x, y, 1, new double[] {c[0]}, new double[] {c[1]}, new double[] {c[2]}, 0);
+                image.setPixels(x, y, 1, 1, new double[] {c[0]}, new double[] {c[1]}, new double[] {c[2]});
             }
         }
     }
