@@ -13,6 +13,9 @@ final class Quantiser {
     /** From here on doubles are whole numbers, which are in their last bits. */
     private static final double WHOLE = 0x1p52;
 
+    /** Above the digits of a double: what all of them have from there up to twice that. NaN has more bits set. */
+    private static final long EXPONENT = Double.doubleToRawLongBits(WHOLE) >>> 52;
+
     private final int width;
     private final LongAdder undefined = new LongAdder();
 
@@ -55,20 +58,19 @@ final class Quantiser {
     /** Sets a row's bytes from steps; returns whether all are numbers. */
     private static boolean setRow(
             byte[] bytes, int to, int from, int count, double[] red, double[] green, double[] blue) {
-        double sum = 0;
+        long all = 0;
         int at = to;
         for (int i = from; i < from + count; i++) {
-            bytes[at] = lastByte(red[i]);
-            bytes[at + 1] = lastByte(green[i]);
-            bytes[at + 2] = lastByte(blue[i]);
-            sum += red[i] + green[i] + blue[i];
+            long r = Double.doubleToRawLongBits(red[i]);
+            long g = Double.doubleToRawLongBits(green[i]);
+            long b = Double.doubleToRawLongBits(blue[i]);
+            bytes[at] = (byte) r;
+            bytes[at + 1] = (byte) g;
+            bytes[at + 2] = (byte) b;
+            all |= r | g | b;
             at += COMPONENTS;
         }
-        return !Double.isNaN(sum);
-    }
-
-    private static byte lastByte(double step) {
-        return (byte) Double.doubleToRawLongBits(step);
+        return all >>> 52 == EXPONENT;
     }
 
     private void countUndefined(int count, double[] red, double[] green, double[] blue) {
