@@ -23,14 +23,17 @@ final class LazyLightBuffer {
     /** By any buffer: HotSpot too counts for the whole process. */
     private static final AtomicLong SORTED = new AtomicLong();
 
-    /** The most things times lamps, with the eye: more could take more than 370 MB, though 200 are usual. */
-    private static final long MOST_THINGS = 1 << 22;
+    /** Whether any is being built: one at a time, or each would count on the same memory. */
+    private static final AtomicBoolean BUILDING = new AtomicBoolean();
+
+    /** Of the memory that there may be, what is left for all else: one part in so many. */
+    private static final int LEFT = 4;
 
     private final Bvh bvh;
     private final Hulls hulls;
     private final Lamp lamp;
     private final AtomicLong walks = new AtomicLong();
-    private final AtomicBoolean begun = new AtomicBoolean();
+    private volatile boolean begun;
     private volatile LightBuffer buffer;
 
     private LazyLightBuffer(Bvh bvh, Hulls hulls, Lamp lamp) {
@@ -39,22 +42,23 @@ final class LazyLightBuffer {
         this.lamp = lamp;
     }
 
-    /** By lamp, which are told apart as objects; of none if there is not the memory for it. */
+    /** By lamp, which are told apart as objects. */
     static Map<Lamp, LazyLightBuffer> of(List<Lamp> lamps, Bvh bvh, Hulls hulls) {
         Map<Lamp, LazyLightBuffer> buffers = new IdentityHashMap<>();
-        if ((long) lamps.size() * bvh.order().length <= MOST_THINGS) {
-            for (Lamp lamp : lamps) {
-                buffers.put(lamp, new LazyLightBuffer(bvh, hulls, lamp));
-            }
+        for (Lamp lamp : lamps) {
+            buffers.put(lamp, new LazyLightBuffer(bvh, hulls, lamp));
         }
         return buffers;
     }
 
-    /** Whether there is memory for it, and for another built meanwhile: it is worth some time, but no failure. */
     private boolean hasRoom() {
         Runtime java = Runtime.getRuntime();
-        long free = java.maxMemory() - java.totalMemory() + java.freeMemory();
-        return free > 2 * LightBufferBuilder.MOST_BYTES * bvh.order().length;
+        return hasRoom(bvh.order().length, java.maxMemory(), java.totalMemory() - java.freeMemory());
+    }
+
+    /** Whether there is memory to build one of so many things: it is worth some time, but no failure. */
+    static boolean hasRoom(int things, long most, long used) {
+        return LightBufferBuilder.MOST_BYTES * things < most - used - most / LEFT;
     }
 
     /** The buffer; null if it is not there. */
@@ -64,13 +68,27 @@ final class LazyLightBuffer {
 
     /** The buffer, to use instead of so many walks; null if it is not there. */
     LightBuffer insteadOfWalks(int rays) {
-        if (buffer == null) {
-            long due = bvh.order().length + Math.max(0, COLD_WALKS - SORTED.get());
-            if (walks.addAndGet(rays) >= due && begun.compareAndSet(false, true) && hasRoom()) {
+        if (!begun && walks.addAndGet(rays) >= due() && BUILDING.compareAndSet(false, true)) {
+            try {
+                build();
+            } finally {
+                BUILDING.set(false);
+            }
+        }
+        return buffer;
+    }
+
+    private long due() {
+        return bvh.order().length + Math.max(0, COLD_WALKS - SORTED.get());
+    }
+
+    private void build() {
+        if (!begun) {
+            begun = true;
+            if (hasRoom()) {
                 buffer = LightBufferBuilder.build(bvh, hulls, lamp);
                 SORTED.addAndGet(bvh.order().length);
             }
         }
-        return buffer;
     }
 }

@@ -246,8 +246,14 @@ class LightBufferTest {
         LightBuffer built = lazy.insteadOfWalks(250_010);
         assertNotNull(built);
         assertEquals(built, lazy.insteadOfWalks(1));
-        List<Lamp> many = IntStream.range(0, 10_000).mapToObj(i -> lamp(false, new Vector(i, 3, 0))).toList();
-        assertTrue(LazyLightBuffer.of(many, bvh, Hulls.of(spheres)).isEmpty(), "as all would take too much memory");
+    }
+
+    @Test
+    void isNotBuiltWithoutTheMemoryForIt() {
+        // 140 bytes for each of 2,000,000 things, and a quarter of 1 GB for all else.
+        long most = 1_000_000_000, needed = 280_000_000 + most / 4;
+        assertFalse(LazyLightBuffer.hasRoom(2_000_000, most, most - needed));
+        assertTrue(LazyLightBuffer.hasRoom(2_000_000, most, most - needed - 1));
     }
 
     /** @param lamps that are to have buffers */
