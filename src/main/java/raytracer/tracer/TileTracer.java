@@ -85,9 +85,13 @@ public final class TileTracer {
 
     /** Traces the rays through the centres of a tile's pixels, which become the points, and sets their colours. */
     public void traceCentres(int left, int top, int columns, int rows, Samples all) {
+        traceCentres(left, top, columns, rows, Math.max(1, most() / columns), all);
+    }
+
+    /** @param most rows that are traced together */
+    void traceCentres(int left, int top, int columns, int rows, int most, Samples all) {
         samples = all;
         all.setCentres(left, top, columns, rows);
-        int most = Math.max(1, most() / columns);
         for (int row = 0; row < rows; row += most) {
             int end = Math.min(row + most, rows);
             window = pinhole.window(left + 0.5, left + columns - 0.5, top + row + 0.5, top + end - 0.5);

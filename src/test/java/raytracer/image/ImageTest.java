@@ -75,6 +75,13 @@ class ImageTest {
         image.setPixels(1, 0, 4, 1, new double[] {nan, 0, 0, nan}, new double[] {0, nan, 0, nan},
                 new double[] {0, 0, nan, 0});
         assertEquals(4, image.undefinedPixels());
+        for (int component = 0; component < 3; component++) {
+            double[][] colours = new double[3][6];
+            colours[component][1] = nan;
+            Image two = new Image(3, 2);
+            two.setPixels(0, 0, 3, 2, colours[0], colours[1], colours[2]);
+            assertEquals(1, two.undefinedPixels(), "component " + component);
+        }
     }
 
     @Test

@@ -65,12 +65,12 @@ class SamplesTest {
         for (int top = 0; top < HEIGHT; top += 13) {
             for (int left = 0; left < WIDTH; left += SIDE) {
                 int rows = Math.min(13, HEIGHT - top);
-                tracer.traceCentres(left, top, SIDE, rows, centres);
                 points.count = 0;
                 for (int i = 0; i < SIDE * rows; i++) {
                     points.add(left + i % SIDE + .5, top + i / SIDE + .5);
                 }
                 tracer.trace(points);
+                tracer.traceCentres(left, top, SIDE, rows, 1 + left / SIDE * 5, centres);
                 assertEquals(points.count, centres.count);
                 assertSame(points.x, centres.x, points.count);
                 assertSame(points.y, centres.y, points.count);
