@@ -13,7 +13,7 @@ final class Quantiser {
     /** From here on doubles are whole numbers, which are in their last bits. */
     private static final double WHOLE = 0x1p52;
 
-    /** Above the digits of a double: what all of them have from there up to twice that. NaN has more bits set. */
+    /** The sign and exponent of all steps; those of NaN have more bits set. */
     private static final long EXPONENT = Double.doubleToRawLongBits(WHOLE) >>> 52;
 
     private final int width;
@@ -28,7 +28,7 @@ final class Quantiser {
         return undefined.sum();
     }
 
-    /** Sets a rectangle's pixels; each component, which is overwritten, is cut to [0, 1] and rounded to a step of 256. */
+    /** Sets a rectangle's pixels: components, which are overwritten, are cut to [0, 1] and rounded to a step of 256. */
     void set(byte[] bytes, int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
         int pixels = columns * rows;
         toSteps(red, pixels);
@@ -45,9 +45,10 @@ final class Quantiser {
     }
 
     /**
-     * floor(255 c + 1/2) of the double c exactly, plus 2^52. It is rounded once, to a whole number: rounding the product
-     * before would decide the many colours such as .3 that are half a step but for their own last bit. The one double
-     * that is half a step exactly is 1/2 (255 divides no other numerator), which rounds to the even 128, and so upwards.
+     * floor(255 c + 1/2) of the double c exactly, plus 2^52. It is rounded once, to a whole number: rounding the
+     * product before would decide the many colours such as .3 that are half a step but for their own last bit. The one
+     * double that is half a step exactly is 1/2 (255 divides no other numerator), which rounds to the even 128, and so
+     * upwards.
      */
     private static void toSteps(double[] c, int count) {
         for (int i = 0; i < count; i++) {

@@ -24,7 +24,7 @@ public final class Renderer {
      * To know how many samples an adaptive picture takes, one tile in so many is looked at; more of a small picture, so
      * that there are enough, and fewer of a huge one.
      */
-    private static final int PILOT_STRIDE = 13;
+    private static final int PILOT_STRIDE = 8;
     private static final int LEAST_PILOTS = 64;
     private static final int MOST_PILOTS = 4096;
 

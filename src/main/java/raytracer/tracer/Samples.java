@@ -57,10 +57,4 @@ public final class Samples {
             Arrays.fill(y, row * columns, (row + 1) * columns, top + row + 0.5);
         }
     }
-
-    /** Adds a point. */
-    public void add(double atX, double atY) {
-        x[count] = atX;
-        y[count++] = atY;
-    }
 }

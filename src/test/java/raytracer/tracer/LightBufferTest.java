@@ -346,7 +346,7 @@ class LightBufferTest {
         Samples samples = Samples.ofColour();
         for (int i = 0; i < Rays.CAPACITY; i++) {
             int p = pixel + i / 4;
-            samples.add(p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
+            SamplesTest.add(samples, p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
         }
         Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
         rays.start(pinhole.aiming(rays), null, samples, 0, Rays.CAPACITY);

@@ -20,9 +20,14 @@ class SamplesTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 64;
 
+    static void add(Samples samples, double x, double y) {
+        samples.x[samples.count] = x;
+        samples.y[samples.count++] = y;
+    }
+
     private static void addTile(Samples samples, int left, int top) {
         for (int i = 0; i < SIDE * SIDE; i++) {
-            samples.add(left + i % SIDE + .5, top + i / SIDE + .5);
+            add(samples, left + i % SIDE + .5, top + i / SIDE + .5);
         }
     }
 
@@ -41,7 +46,7 @@ class SamplesTest {
                 tracer.trace(together);
                 for (int i = 0; i < together.count; i++) {
                     alone.count = 0;
-                    alone.add(together.x[i], together.y[i]);
+                    add(alone, together.x[i], together.y[i]);
                     tracer.trace(alone);
                     String where = "sample at " + together.x[i] + " " + together.y[i];
                     assertEquals(alone.path[0], together.path[i], "path of " + where);
@@ -67,7 +72,7 @@ class SamplesTest {
                 int rows = Math.min(13, HEIGHT - top);
                 points.count = 0;
                 for (int i = 0; i < SIDE * rows; i++) {
-                    points.add(left + i % SIDE + .5, top + i / SIDE + .5);
+                    add(points, left + i % SIDE + .5, top + i / SIDE + .5);
                 }
                 tracer.trace(points);
                 tracer.traceCentres(left, top, SIDE, rows, 1 + left / SIDE * 5, centres);

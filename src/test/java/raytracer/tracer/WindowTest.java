@@ -26,7 +26,7 @@ class WindowTest {
         Rays rays = new Rays(new int[0], List.of());
         Samples corners = Samples.ofColour();
         for (int i = 0; i < 4; i++) {
-            corners.add(i % 2 == 0 ? fromX : toX, i / 2 == 0 ? fromY : toY);
+            SamplesTest.add(corners, i % 2 == 0 ? fromX : toX, i / 2 == 0 ? fromY : toY);
         }
         rays.start(pinhole.aiming(rays), null, corners, 0, 4);
         Window window = pinhole.window(fromX, toX, fromY, toY);
