@@ -74,15 +74,18 @@ public final class ExactRenderer {
         return bits(colour[0]) << 16 | bits(colour[1]) << 8 | bits(colour[2]);
     }
 
-    /** floor(255 c + 1/2), c cut to [0, 1]. */
+    /** floor(255 c + 1/2) in floats, as {@code java.awt.Color} has it; c is cut to [0, 1]. */
     private static int bits(Exact c) {
-        if (c.high() >= 1) {
-            return 255;
-        }
-        // What rounding here leaves just below a step is on it.
-        Exact steps = c.times(255).plus(Exact.of(.5)).plus(Exact.of(256 * EQUAL));
-        int floor = (int) Math.floor(steps.high());
-        return Exact.of(floor).isMore(steps) ? floor - 1 : floor;
+        float product = nearestFloat(c.high() >= 1 ? Exact.ONE : c) * 255;
+        return (int) (product + 0.5);
+    }
+
+    /** The float nearest to a number, which its double alone does not tell where that is between two floats. */
+    private static float nearestFloat(Exact c) {
+        float nearest = (float) c.high();
+        float other = c.low() > 0 ? Math.nextUp(nearest) : Math.nextDown(nearest);
+        boolean isBetween = ((double) nearest + other) / 2 == c.high() && Math.abs(c.low()) > EQUAL * c.high();
+        return isBetween ? other : nearest;
     }
 
     private Exact[] colour(ExactVector origin, ExactVector direction) {

@@ -2,21 +2,17 @@ package raytracer.image;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
-import java.math.RoundingMode;
 import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
 @DisplayName("A picture's bytes")
 class ImageTest {
-
-    private static int exact(double c) {
-        BigDecimal steps = new BigDecimal(Math.min(1, Math.max(0, c))).multiply(BigDecimal.valueOf(255));
-        return steps.add(new BigDecimal("0.5")).setScale(0, RoundingMode.FLOOR).intValueExact();
-    }
 
     /** What a colour's component becomes. */
     static int byteOf(double c) {
@@ -36,19 +32,32 @@ class ImageTest {
     }
 
     @Test
-    void areRoundedExactlyWhereTheProductIsNot() {
-        // .3 is a little less than 76.5 / 255, but 255 * .3 rounds to 76.5.
-        assertEquals(76.5, 255 * .3);
-        assertEquals(76, byteOf(.3));
+    @DisplayName("are those that the standard library's colours of floats have")
+    void areTheStandardLibrarys() {
         Random random = new Random(1);
         for (int step = 0; step < 255; step++) {
-            double tie = (step + .5) / 255;
-            for (double c = tie - 4 * Math.ulp(tie); c <= tie + 4 * Math.ulp(tie); c = Math.nextUp(c)) {
-                assertEquals(exact(c), byteOf(c), () -> "near step " + tie);
+            double between = (step + .5) / 255;
+            for (double c = between - 1e-7; c <= between + 1e-7; c += 1e-9) {
+                assertEquals(standard(c), byteOf(c), "near " + between);
             }
             double any = random.nextDouble();
-            assertEquals(exact(any), byteOf(any));
+            assertEquals(standard(any), byteOf(any));
         }
+    }
+
+    private static int standard(double c) {
+        return new Color((float) c, 0, 0).getRed();
+    }
+
+    @Test
+    @DisplayName("are what the author of a decimal means: .3 of 255 is 76.5, which rounds up")
+    void areWhatDecimalsMean() {
+        int[] tenths = {0, 26, 51, 77, 102, 128, 153, 179, 204, 230, 255};
+        for (int i = 0; i <= 10; i++) {
+            assertEquals(tenths[i], byteOf(i / 10.0), i + " tenths");
+        }
+        assertTrue(new BigDecimal(.3).multiply(BigDecimal.valueOf(255)).compareTo(new BigDecimal("76.5")) < 0,
+                "the double .3 is less than that");
     }
 
     @Test

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.image.Image;
 import raytracer.scene.Scene;
 import raytracer.text.Scenes;
 import raytracer.tracer.RayCounts;
@@ -86,6 +87,18 @@ class SamplingTest {
                     assertEquals(sum / 9, grid.value(x, y, component), 1e-6);
                 }
             }
+        }
+    }
+
+    /** Tenths of 255 are half steps: a mean that is off by a unit roundoff must not change the byte. */
+    @ParameterizedTest(name = "of one flat colour make its byte, {0} x {0} of them")
+    @ValueSource(ints = {1, 2, 3, 5, 7, 10, 13})
+    void ofOneColourMakeItsByte(int n) throws Exception {
+        Scene scene = Scenes.parse("size 8 2\ncamera 0 0 4 0 0 0 0 1 0 45\nambient .1 .7 .9\nplane 0 0 0 0 0 1\n").scene();
+        Image image = new Image(8, 2);
+        new Renderer(Tracer.compile(scene, 1), new Sampling.Grid(n), 1, Region.whole(8, 2), image).render();
+        for (int i = 0; i < 16; i++) {
+            assertEquals(26 << 16 | 179 << 8 | 230, image.rgb(i % 8, i / 8));
         }
     }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
 import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -72,13 +73,14 @@ class ArithmeticStabilityTest {
     }
 
     @Test
-    @DisplayName("a byte is the rounded colour: 1 is 255 and does not wrap, .3 is 76")
+    @DisplayName("a byte is what its decimal means: 1 is 255 and does not wrap, .7 is 179")
     void bytes() {
         assertEquals(0, (byte) (int) (256.0 * 1) & 255, "256 steps wrap");
-        assertEquals(77, (int) (255 * .3 + .5), "a product rounded up to a half step");
+        assertEquals(178, new BigDecimal(.7).multiply(BigDecimal.valueOf(255)).add(new BigDecimal(".5")).intValue(),
+                "the double .7 is less than half a step");
         Image image = new Image(1, 1);
-        image.setPixels(0, 0, 1, 1, new double[] {1}, new double[] {.3}, new double[] {1e300});
-        assertEquals(0xFF4CFF, image.rgb(0, 0));
+        image.setPixels(0, 0, 1, 1, new double[] {1}, new double[] {.7}, new double[] {1e300});
+        assertEquals(0xFFB3FF, image.rgb(0, 0));
     }
 
     @Test
