@@ -25,7 +25,6 @@ final class Beam {
     private final double[] leastDirection = new double[3];
     private final double[] greatestDirection = new double[3];
     private double reach;
-    private boolean backwards;
 
     // By axis along which all rays go the same way, in tree space, mirrored (side is -1) where that is down: where the
     // first and the last of them starts, and how far the slowest and the fastest go for each unit along the axis.
@@ -53,7 +52,6 @@ final class Beam {
         } else {
             span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
         }
-        backwards = false;
         reach = 0;
         for (int i = from; i < to; i++) {
             reach = rays.distance[i] > reach ? rays.distance[i] : reach;
@@ -66,7 +64,6 @@ final class Beam {
      */
     void take(Rays rays, Lamp lamp, int from, int to) {
         span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
-        backwards = !lamp.directional();
         if (lamp.directional()) {
             point(lamp.x(), lamp.y(), lamp.z(), leastDirection, greatestDirection);
             reach = Double.POSITIVE_INFINITY;
@@ -143,26 +140,6 @@ final class Beam {
             }
         }
         return true;
-    }
-
-    /** After a search of this tree that was given up: whether all rays start near enough to it, and go the same way. */
-    boolean isNarrow(Bvh bvh) {
-        if (!isNarrow()) {
-            return false;
-        }
-        for (int axis = 0; backwards && axis < 3; axis++) {
-            // Where they start themselves.
-            if (!(Math.abs(leastOrigin[axis] + leastDirection[axis] * bvh.scale()) < FARTHEST
-                    && Math.abs(greatestOrigin[axis] + greatestDirection[axis] * bvh.scale()) < FARTHEST)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Whether the rays are taken from where they end. */
-    boolean isBackwards() {
-        return backwards;
     }
 
     int count() {

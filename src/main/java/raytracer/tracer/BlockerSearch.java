@@ -15,7 +15,6 @@ final class BlockerSearch implements Pass {
 
     private final Pass blockBeside = this::blockBeside;
     private final Pass blockGathered = this::blockGathered;
-    private final Pass findEntryPoints = this::findEntryPoints;
     private final Pass walk = this::walk;
     private final Pass findCells = this::findCells;
     private final Pass lookUp = this::lookUp;
@@ -68,7 +67,6 @@ final class BlockerSearch implements Pass {
         if (lazy != null && lookUp(lazy.insteadOfWalks(to - from), from, to)) {
             return;
         }
-        Pass.run(findEntryPoints, from, to);
         Pass.run(walk, from, to);
     }
 
@@ -83,13 +81,9 @@ final class BlockerSearch implements Pass {
         return true;
     }
 
-    private void findEntryPoints(int from, int to) {
-        scratch.entryPoints.find(bvh, scratch.beam, rays.origin, shadows.direction, from, to);
-    }
-
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (shadows.open[i] && scratch.entryPoints.leadIn(i)) {
+            if (shadows.open[i]) {
                 walk(i);
             }
         }
@@ -98,7 +92,6 @@ final class BlockerSearch implements Pass {
     private void walk(int i) {
         BvhWalk walk = scratch.walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
-            scratch.entryPoints.enter(walk, i);
             look(walk.x(), walk.y(), walk.z(), walk.start(), i);
             shadows.open[i] = !anyOnTheWayBlocks(i);
         }

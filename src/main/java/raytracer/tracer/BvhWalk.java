@@ -37,7 +37,7 @@ final class BvhWalk {
     private int end;
 
     /**
-     * Sets out on a ray, which is yet to {@link #enter} the tree; the direction is a unit vector.
+     * Sets out on a ray; the direction is a unit vector.
      *
      * @return false if the ray passes by the tree
      */
@@ -73,19 +73,8 @@ final class BvhWalk {
         noix = -((float) x * ix);
         noiy = -((float) y * iy);
         noiz = -((float) z * iz);
+        stack[stacked++] = tree.root() & 0xFFFFFFFFL;
         return true;
-    }
-
-    /**
-     * Where to go into the tree; what enters last is visited first.
-     *
-     * @param child a leaf or a node, as nodes have them
-     * @param near  no farther away than the child's box, in tree space from the ray's origin
-     */
-    void enter(int child, double near) {
-        float key = (float) Math.max(0, (near - start) * (1 - 0x1p-22));
-        grow();
-        stack[stacked++] = (long) Float.floatToRawIntBits(key) << 32 | child & 0xFFFFFFFFL;
     }
 
     /** How far along the ray, in tree space, it was taken up. */

@@ -14,7 +14,6 @@ final class NearestSearch implements Pass {
 
     private final Pass meetBeside = this::meetBeside;
     private final Pass meetGathered = this::meetGathered;
-    private final Pass findEntryPoints = this::findEntryPoints;
     private final Pass walk = this::walk;
     private final Pass findCells = this::findCells;
     private final Pass lookUp = this::lookUp;
@@ -65,29 +64,21 @@ final class NearestSearch implements Pass {
             Pass.run(findCells, from, to);
             Pass.run(lookUp, from, to);
         } else {
-            Pass.run(findEntryPoints, from, to);
             Pass.run(walk, from, to);
         }
-    }
-
-    private void findEntryPoints(int from, int to) {
-        scratch.entryPoints.find(bvh, scratch.beam, rays.origin, rays.direction, from, to);
     }
 
     // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
 
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (scratch.entryPoints.leadIn(i)) {
-                walk(i);
-            }
+            walk(i);
         }
     }
 
     private void walk(int i) {
         BvhWalk walk = scratch.walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
-            scratch.entryPoints.enter(walk, i);
             look(walk.x(), walk.y(), walk.z(), walk.start(), i);
             meetOnTheWay(i);
         }

@@ -1,13 +1,12 @@
 package raytracer.tracer;
 
 /**
- * What one thread needs to find surfaces for its {@link Rays}: a walk and where it begins, a beam, cells of a light
+ * What one thread needs to find surfaces for its {@link Rays}: a walk, a beam, cells of a light
  * buffer, and by ray numbers in between.
  */
 final class Scratch {
 
     final BvhWalk walk = new BvhWalk();
-    final EntryPoints entryPoints = new EntryPoints();
     final TriangleSieve.Line line = new TriangleSieve.Line();
     final Beam beam = new Beam();
     final LightBuffer.Cells cells = new LightBuffer.Cells();

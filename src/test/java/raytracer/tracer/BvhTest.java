@@ -46,7 +46,6 @@ class BvhTest {
     private static BitSet visited(Bvh bvh, Vector o, Vector d, double limit) {
         BvhWalk walk = new BvhWalk();
         if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
-            walk.enter(bvh.root(), 0);
         }
         BitSet things = new BitSet();
         for (int k = 0; k < bvh.beside(); k++) {
@@ -122,7 +121,6 @@ class BvhTest {
         assertEquals(1, bvh.nodes().length / Bvh.NODE_STRIDE);
         BvhWalk walk = new BvhWalk();
         assertTrue(walk.start(bvh, along > 0 ? -5 : 45, .05, .05, along, 0, 0));
-        walk.enter(bvh.root(), 0);
         assertTrue(walk.nextLeaf(Double.POSITIVE_INFINITY));
         assertEquals(along > 0 ? 0 : 3, bvh.order()[walk.first()] % 4);
     }

@@ -149,7 +149,6 @@ public final class Textbook {
 
     private void setOut(Bvh tree, Vector o, Vector d) {
         if (walk.start(tree, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
-            walk.enter(tree.root(), 0);
         }
     }
 
