@@ -98,7 +98,7 @@ final class BlockerSearch implements Pass {
     }
 
     private void look(double x, double y, double z, double far, int i) {
-        surfaces.look(bvh, x, y, z, far, shadows.dx[i], shadows.dy[i], shadows.dz[i], rays.originError[i],
+        surfaces.look(bvh, x, y, z, far, shadows.dx[i], shadows.dy[i], shadows.dz[i], shadows.originError[i],
                 2 * Rounding.U, scratch);
     }
 

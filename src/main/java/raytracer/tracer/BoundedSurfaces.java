@@ -19,8 +19,44 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
         lightBuffers = LazyLightBuffer.of(lamps, bvh, hulls);
     }
 
-    /** Offers a ray the surface with this number among these, if it meets it. */
-    abstract void meet(Rays rays, int ray, int k);
+    /**
+     * The distance at which a ray meets the surface with this number among these; NaN if it does not, or farther away
+     * than {@link Rays#reach}.
+     */
+    abstract double distance(Rays rays, int ray, int k);
+
+    /** Bounds the error of that distance. */
+    abstract double distanceError(Rays rays, int ray, int k, double t);
+
+    /** Records the surface with this number among these for a ray, if it meets it. */
+    final void meet(Rays rays, int ray, int k) {
+        double t = distance(rays, ray, k);
+        if (t > 0) {
+            rays.record(ray, slot(k), t);
+        }
+    }
+
+    @Override
+    public final void collect(Rays rays, int ray, Ties ties, Scratch scratch) {
+        for (int k = 0; k < bvh.beside(); k++) {
+            collect(rays, ray, k, ties);
+        }
+        BvhWalk walk = scratch.walk;
+        if (walk.start(bvh, rays.ox[ray], rays.oy[ray], rays.oz[ray], rays.dx[ray], rays.dy[ray], rays.dz[ray])) {
+            while (walk.nextLeaf(rays.reach(ray))) {
+                for (int k = walk.first(); k < walk.end(); k++) {
+                    collect(rays, ray, k, ties);
+                }
+            }
+        }
+    }
+
+    private void collect(Rays rays, int ray, int k, Ties ties) {
+        double t = distance(rays, ray, k);
+        if (t > 0) {
+            ties.add(slot(k), t, distanceError(rays, ray, k, t));
+        }
+    }
 
     /** Whether the surface with this number among these is strictly between a point and its light. */
     abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
@@ -71,7 +107,7 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
     abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch);
 
-    /** Offers rays, from one index to another, the surface with this number among these, if it meets it. */
+    /** Records the surface with this number among these for rays, from one index to another, that meet it. */
     abstract void meetAll(Rays rays, int from, int to, int k, Scratch scratch);
 
     /** Closes every open shadow ray from one index to another that the surface with this number among these blocks. */

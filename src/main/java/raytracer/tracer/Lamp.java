@@ -22,11 +22,11 @@ record Lamp(boolean directional, double x, double y, double z, Colour colour, Fr
     }
 
     /**
-     * How far off a coordinate counts as being: a light that is meant to be on a surface is there only as well as
-     * decimals say, and the corners of a triangle or the point of a plane are off as much.
+     * How far off it counts as being: a light that is meant to be on a surface is there only as well as decimals say,
+     * and the corners of a triangle or the point of a plane are off as much.
      */
     double positionError() {
-        return 4 * Rounding.U * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        return 7 * Rounding.U * (Math.abs(x) + Math.abs(y) + Math.abs(z));
     }
 
     static Lamp of(Light light) {

@@ -61,6 +61,16 @@ interface Pass {
         }
     }
 
+    /** out = a + b */
+    record Add(double[] a, double[] b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = a[i] + b[i];
+            }
+        }
+    }
+
     /** out = a + factor t b */
     static Pass addProduct(Vectors a, double factor, double[] t, Vectors b, Vectors out) {
         return new InTurn(new AddProduct(a.x(), factor, t, b.x(), out.x()),

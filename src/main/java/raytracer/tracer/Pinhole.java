@@ -86,7 +86,8 @@ final class Pinhole {
                 new Pass.Fill(rays.ox, eye.x()),
                 new Pass.Fill(rays.oy, eye.y()),
                 new Pass.Fill(rays.oz, eye.z()),
-                new Pass.Fill(rays.originError, 0));
+                new Pass.Fill(rays.originError, 0),
+                new Pass.Fill(rays.slide, 0));
     }
 
     /** Of directions. */

@@ -3,21 +3,36 @@ package raytracer.tracer;
 /** What is plain of rays and a sphere when its perpendiculars to them are known; the others need a closer look. */
 final class PlainSphere {
 
+    // A ray is clear of a sphere if its perpendicular's square exceeds r^2 by this part of it, and the ray's origin is
+    // off by no more than this part of r.
+    private static final double CLEAR = 1 / 4.0;
+    private static final double SHARP = 1 / 32.0;
+
     private PlainSphere() { }
+
+    /**
+     * Whether a ray is clear of a sphere, without a closer look.
+     *
+     * @param square of half the chord, as it were
+     * @param error  how far off the ray's origin may be
+     */
+    static boolean isClear(double square, double radius, double error) {
+        return square < -CLEAR * radius * radius && error <= SHARP * radius;
+    }
 
     /**
      * Takes what is met clearly, and nearer than all before; lists the rays that need a closer look.
      *
-     * @param clear a ray of which the square of half the chord, as it were, is less than this does not meet the sphere
+     * @param doubt whether a ray meets the sphere is certain unless the square of half the chord is nearer to 0
      */
-    record TakeNearer(Rays rays, double clear, int slot, Scratch scratch) implements Pass {
+    record TakeNearer(Rays rays, double doubt, int slot, Scratch scratch) implements Pass {
         @Override
         public void run(int from, int to) {
             double[] distance = rays.distance, along = scratch.along, square = scratch.square, t = scratch.distance;
             int[] hit = rays.hit, doubtful = scratch.doubtful;
             int count = 0;
             for (int i = from; i < to; i++) {
-                if (square[i] >= 0) {
+                if (square[i] >= doubt) {
                     if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
                         if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
                             hit[i] = slot;
@@ -26,7 +41,7 @@ final class PlainSphere {
                             doubtful[count++] = i;
                         }
                     }
-                } else if (square[i] >= clear) {
+                } else if (square[i] >= -doubt) {
                     doubtful[count++] = i;
                 }
             }
@@ -40,20 +55,20 @@ final class PlainSphere {
      * @param radius   of the sphere
      * @param lampSide 1 if the lamp is outside of it, -1 inside, 0 on it
      */
-    record Close(Rays rays, ShadowRays shadows, double radius, double clear, int slot, int lampSide, Scratch scratch)
+    record Close(Rays rays, ShadowRays shadows, double radius, int slot, int lampSide, Scratch scratch)
             implements Pass {
         @Override
         public void run(int from, int to) {
             double[] square = scratch.square, along = scratch.along, distance = shadows.distance;
-            double[] originError = rays.originError;
+            double[] error = shadows.originError;
             boolean[] open = shadows.open;
             int[] hit = rays.hit, doubtful = scratch.doubtful;
             int count = 0;
             for (int i = from; i < to; i++) {
-                if (square[i] >= clear && open[i]) {
+                if (open[i] && !isClear(square[i], radius, error[i])) {
                     boolean behind = along[i] >= 0;
-                    boolean plain = hit[i] == slot ? behind : (behind || square[i] >= 0) && lampSide >= 0
-                            && startsOutside(along[i], square[i], radius, originError[i]);
+                    boolean plain = hit[i] == slot ? behind : lampSide > 0
+                            && isPlain(along[i], square[i], radius, error[i]);
                     if (!plain) {
                         doubtful[count++] = i;
                     } else if (!behind && -along[i] < distance[i]) {
@@ -64,10 +79,11 @@ final class PlainSphere {
             scratch.doubtfulCount = count;
         }
 
-        /** Whether a ray clearly starts outside a sphere that it meets, or does not pass by far. */
-        private static boolean startsOutside(double along, double square, double r, double originError) {
+        /** Whether a ray clearly starts outside a sphere, and meets it clearly or has it behind. */
+        private static boolean isPlain(double along, double square, double r, double error) {
             double power = along * along - square;
-            return power > Rounding.power(originError, r) + Rounding.passingPower(along * along, r * r);
+            return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)
+                    && (along >= 0 || square > 2 * r * Rounding.passing(along, error) + 18 * Rounding.U * r * r);
         }
     }
 }

@@ -45,7 +45,7 @@ final class Planes implements Surfaces {
     private void findNearest(Rays rays, int from, int to, Scratch scratch) {
         for (int k = 0; k < count; k++) {
             measure(rays, k, from, to, scratch);
-            offer(rays, k, scratch.along, scratch.square, scratch.distance, from, to);
+            record(rays, k, scratch.along, scratch.square, scratch.distance, from, to);
         }
     }
 
@@ -84,27 +84,40 @@ final class Planes implements Surfaces {
         }
     }
 
-    private void offer(Rays rays, int k, double[] offset, double[] cosine, double[] distance, int from, int to) {
+    private void record(Rays rays, int k, double[] offset, double[] cosine, double[] distance, int from, int to) {
         for (int i = from; i < to; i++) {
-            double t = distance[i];
-            if (t > 0 && t <= rays.reach(i) && Math.abs(cosine[i]) > Rounding.cosine(rays.directionError[i])
-                    && rays.source[i] != firstSlot + k
-                    && Math.abs(offset[i]) > Rounding.planeOffset(rays.originError[i], reach(rays, i, k))) {
-                rays.offer(i, firstSlot + k, t);
+            if (isMet(rays, i, k, offset[i], cosine[i], distance[i])) {
+                rays.record(i, firstSlot + k, distance[i]);
             }
         }
     }
 
-    /** |x| + |y| + |z| of a plane's point, seen from where a ray starts. */
-    private double reach(Rays rays, int i, int k) {
-        return Math.abs(px[k] - rays.ox[i]) + Math.abs(py[k] - rays.oy[i]) + Math.abs(pz[k] - rays.oz[i]);
+    private boolean isMet(Rays rays, int i, int k, double offset, double cosine, double t) {
+        return t > 0 && t <= rays.reach(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
+                && rays.source[i] != firstSlot + k
+                && Math.abs(offset) > Rounding.planeOffset(rays.originError[i], products(rays, i, k))
+                        + rays.slide[i] * Math.abs(cosine);
+    }
+
+    /** |x nx| + |y ny| + |z nz| of a plane's point, seen from where a ray starts. */
+    private double products(Rays rays, int i, int k) {
+        return products(px[k] - rays.ox[i], py[k] - rays.oy[i], pz[k] - rays.oz[i], k);
+    }
+
+    private double products(double x, double y, double z, int k) {
+        return Math.abs(x * nx[k]) + Math.abs(y * ny[k]) + Math.abs(z * nz[k]);
     }
 
     @Override
-    public double distanceError(Rays rays, int i, int slot, double t) {
-        int k = slot - firstSlot;
-        double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
-        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach(rays, i, k), t, cosine);
+    public void collect(Rays rays, int i, Ties ties, Scratch scratch) {
+        for (int k = 0; k < count; k++) {
+            measure(rays, k, i, i + 1, scratch);
+            double cosine = scratch.square[i], t = scratch.distance[i];
+            if (isMet(rays, i, k, scratch.along[i], cosine, t)) {
+                ties.add(firstSlot + k, t, Rounding.planeDistance(
+                        rays.originError[i], rays.directionError[i], products(rays, i, k), t, cosine));
+            }
+        }
     }
 
     @Override
@@ -130,7 +143,7 @@ final class Planes implements Surfaces {
         }
         double x = lamp.x() - px[k], y = lamp.y() - py[k], z = lamp.z() - pz[k];
         double height = x * nx[k] + y * ny[k] + z * nz[k];
-        double bound = Rounding.planeOffset(lamp.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
+        double bound = Rounding.planeOffset(lamp.positionError(), products(x, y, z, k));
         return Math.abs(height) > bound ? (int) Math.signum(height) : 0;
     }
 
@@ -138,11 +151,16 @@ final class Planes implements Surfaces {
     private void close(Rays rays, boolean[] open, int k, int side, double[] offset, int from, int to) {
         for (int i = from; i < to; i++) {
             double below = side * offset[i];
-            if (below > 0 && open[i] && rays.hit[i] != firstSlot + k
-                    && below > Rounding.planeOffset(rays.originError[i], reach(rays, i, k))) {
+            if (below > 0 && open[i] && rays.hit[i] != firstSlot + k && below > offsetError(rays, i, k)) {
                 open[i] = false;
             }
         }
+    }
+
+    /** Bounds the error of how far a plane is, along its normal, from where a ray has arrived. */
+    private double offsetError(Rays rays, int i, int k) {
+        double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
+        return Rounding.planeOffset(rays.originError[i], products(rays, i, k)) + rays.slide[i] * Math.abs(cosine);
     }
 
     @Override
@@ -154,7 +172,7 @@ final class Planes implements Surfaces {
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
             int k = rays.hit[i] - firstSlot;
-            rays.arriveOnPlane(i, reach(rays, i, k), nx[k], ny[k], nz[k]);
+            rays.arriveOnPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
         }
     }
 }

@@ -1,7 +1,6 @@
 package raytracer.tracer;
 
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * A tile's rays, one array per quantity, and what they have met. The rays in use are the first {@link #count}; each
@@ -33,11 +32,13 @@ final class Rays {
     /** Whether none has left or changed its place: then their pixels are consecutive numbers. */
     boolean areInOrder;
 
-    // Where each starts, and a bound on the error of each coordinate; the slot of the surface it leaves.
+    // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
+    // along the ray itself), and apart from that. The slot of the surface it leaves.
     final double[] ox = new double[CAPACITY];
     final double[] oy = new double[CAPACITY];
     final double[] oz = new double[CAPACITY];
     final double[] originError = new double[CAPACITY];
+    final double[] slide = new double[CAPACITY];
     final int[] source = new int[CAPACITY];
 
     // Where it goes: a unit vector, and a bound on the error of each coordinate.
@@ -49,6 +50,12 @@ final class Rays {
     // The nearest surface so far, and its distance.
     final int[] hit = new int[CAPACITY];
     final double[] distance = new double[CAPACITY];
+
+    /** The rays that have met several surfaces at about the same distance: {@link Ties} decides. */
+    final int[] close = new int[CAPACITY];
+    int closeCount;
+    /** By ray, that distance; negative if there is none. */
+    final double[] closeDistance = new double[CAPACITY];
 
     // The unit normal where the ray has arrived, and a bound on the error of each coordinate.
     final double[] nx = new double[CAPACITY];
@@ -70,7 +77,7 @@ final class Rays {
     private final double[][] ofEyeRays = {dx, dy, dz, distance};
     private final double[][] ofLaterRays =
             {dx, dy, dz, distance, ox, oy, oz, originError, directionError, red, green, blue};
-    private final double[][] ofArrivedRays = {nx, ny, nz, normalError};
+    private final double[][] ofArrivedRays = {nx, ny, nz, normalError, slide};
     private final double[] selected = new double[CAPACITY];
     private final int[] selectedInts = new int[CAPACITY];
 
@@ -81,15 +88,8 @@ final class Rays {
             new Pass.Length(direction, selected),
             new Pass.DivideByLength(direction, selected));
 
-    /** By slot: the surface's number in the order of declaration. */
-    private final int[] declared;
-
-    private final List<Surfaces> surfaces;
-
-    /** @param surfaces all that the rays may meet */
-    Rays(int[] declared, List<Surfaces> surfaces) {
-        this.declared = declared;
-        this.surfaces = surfaces;
+    Rays() {
+        Arrays.fill(closeDistance, -1);
     }
 
     /**
@@ -129,23 +129,23 @@ final class Rays {
         return distance[ray] * (1 + Rounding.TIE_SIEVE);
     }
 
-    /**
-     * A ray meets a surface. The nearest counts; of two distances that rounding cannot tell apart, the surface that was
-     * declared first.
-     *
-     * @param t at most {@link #reach}; infinite distances are not met
-     */
-    void offer(int ray, int slot, double t) {
-        boolean wins = t < distance[ray] * (1 - Rounding.TIE_SIEVE) || hit[ray] != NONE && winsClose(ray, slot, t);
-        if (wins) {
+    /** Records that a ray meets a surface, at a distance of {@link #reach} at most. */
+    void record(int ray, int slot, double t) {
+        if (t >= distance[ray] * (1 - Rounding.TIE_SIEVE)) {
+            recordClose(ray);
+        }
+        if (t < distance[ray]) {
             hit[ray] = slot;
             distance[ray] = t;
         }
     }
 
-    private boolean winsClose(int ray, int slot, double t) {
-        double margin = distanceError(ray, slot, t) + distanceError(ray, hit[ray], distance[ray]);
-        return t < distance[ray] - margin || t <= distance[ray] + margin && declared[slot] < declared[hit[ray]];
+    /** Records that a ray meets something else about where its nearest surface is. */
+    private void recordClose(int ray) {
+        if (closeDistance[ray] < 0) {
+            close[closeCount++] = ray;
+        }
+        closeDistance[ray] = distance[ray];
     }
 
     /** Whether less than this part of each component of the light that comes along a ray reaches the pixel. */
@@ -153,28 +153,19 @@ final class Rays {
         return leaveEye ? limit > 1 : red[ray] < limit && green[ray] < limit && blue[ray] < limit;
     }
 
-    private double distanceError(int ray, int slot, double t) {
-        for (Surfaces kind : surfaces) {
-            if (kind.owns(slot)) {
-                return kind.distanceError(this, ray, slot, t);
-            }
-        }
-        throw new IllegalArgumentException("no surface has slot " + slot);
-    }
-
     /**
      * Moves a ray's origin to where it has met a plane or triangle.
      *
-     * @param reach |x| + |y| + |z| of the surface's point of reference, seen from the old origin
+     * @param products as for {@link Rounding#planeOffset}, seen from the old origin
      */
-    void arriveOnPlane(int ray, double reach, double normalX, double normalY, double normalZ) {
+    void arriveOnPlane(int ray, double products, double normalX, double normalY, double normalZ) {
         double t = distance[ray];
         double cosine = dx[ray] * normalX + dy[ray] * normalY + dz[ray] * normalZ;
         ox[ray] += t * dx[ray];
         oy[ray] += t * dy[ray];
         oz[ray] += t * dz[ray];
-        originError[ray] = Rounding.planePosition(reach, t, cosine,
-                Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]));
+        slide[ray] = Rounding.planeDistance(0, Rounding.EYE_DIRECTION, products, t, cosine);
+        originError[ray] = Rounding.point(t, Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]));
         nx[ray] = normalX;
         ny[ray] = normalY;
         nz[ray] = normalZ;
@@ -186,6 +177,8 @@ final class Rays {
         Pass.run(mirroring, 0, count);
         for (int i = 0; i < count; i++) {
             directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
+            // What slides along the old way slides along the new one, and twice as far as the old one goes down.
+            originError[i] += 2 * slide[i] * Math.abs(dx[i] * nx[i] + dy[i] * ny[i] + dz[i] * nz[i]);
         }
         System.arraycopy(hit, 0, source, 0, count);
     }

@@ -15,28 +15,36 @@ final class Rounding {
     private static final double DIAGONAL = 1.7320508075688774;
 
     /**
-     * Relative to the distance: how much farther than the nearest hit so far a hit may be and still be compared with
-     * it as a possible tie. Only a first sieve; {@link #planeDistance} and {@link #sphereDistance} decide. It is far
-     * above the error of any hit that is not grazing by less than a millionth of a radian.
+     * Relative to the distance: hits closer to one another than this may be a tie, which {@link Ties} decides by the
+     * bounds on their errors. It is more than twice {@link #GREATEST_TIE}, so that none is overlooked.
      */
     static final double TIE_SIEVE = 0x1p-20;
+
+    /**
+     * Relative to the distance: a greater error is not granted to a hit that is compared with others. Only hits that
+     * graze by less than a millionth of a radian have one.
+     */
+    private static final double GREATEST_TIE = 0x1p-22;
 
     /** Bounds the error of each coordinate of a ray from the eye: scaled basis, products, sums and normalising. */
     static final double EYE_DIRECTION = 5 * U;
 
     private Rounding() { }
 
+    /** Bounds the error of a distance for comparing it with others. */
+    static double tie(double distanceError, double distance) {
+        return Math.min(distanceError, GREATEST_TIE * distance);
+    }
+
     /**
-     * Bounds the error of (point - origin) . normal, a unit normal.
+     * Bounds the error of (point - origin) . normal, a unit normal: differences, the normal, products and sums round by
+     * 5u of the products' magnitudes.
      *
-     * <p>Subtraction, products and sums round by 4u of the sum of the coordinates' magnitudes; an origin that is off
-     * by e in each coordinate adds e times the square root of 3.
-     *
-     * @param originError of each coordinate of the origin
-     * @param reach       |x| + |y| + |z| of point - origin
+     * @param originError how far off the origin may be
+     * @param products    |x nx| + |y ny| + |z nz| of point - origin, or more
      */
-    static double planeOffset(double originError, double reach) {
-        return DIAGONAL * originError + 4 * U * reach;
+    static double planeOffset(double originError, double products) {
+        return originError + 5 * U * products;
     }
 
     /**
@@ -54,20 +62,20 @@ final class Rounding {
      * the cosine, both divided by the cosine.
      */
     static double planeDistance(
-            double originError, double directionError, double reach, double distance, double cosine) {
-        return (planeOffset(originError, reach) + distance * cosine(directionError)) / Math.abs(cosine);
+            double originError, double directionError, double products, double distance, double cosine) {
+        return (planeOffset(originError, products) + distance * cosine(directionError)) / Math.abs(cosine);
     }
 
     /**
-     * Bounds the error in each coordinate of a computed point of a plane or triangle, origin + distance * direction, as
-     * against the point where the same ray meets it exactly: the distance's error, and 2u of the distance and u of the
-     * point from direction, product and sum. That the ray itself may be off is left out: that moves the point along the
-     * plane, and counted in, errors would seem to multiply from mirror to mirror.
+     * Bounds how far a computed point, origin + distance * direction, is from the ray that it is meant to be on: the
+     * direction's own error, as it leaves the eye, and 2u of the distance and u of the point from product and sum.
+     * How far the point may be off along the ray is the distance's error, which is kept apart: a grazing ray has a
+     * large one, which does not bring the point nearer to anything that is parallel to the ray.
      *
      * @param position |x| + |y| + |z| of the computed point
      */
-    static double planePosition(double reach, double distance, double cosine, double position) {
-        return planeDistance(0, EYE_DIRECTION, reach, distance, cosine) + U * (3 * distance + position);
+    static double point(double distance, double position) {
+        return U * (13 * distance + position);
     }
 
     /**
@@ -79,12 +87,17 @@ final class Rounding {
      * @param edge  |x| + |y| + |z| of the edge, or more
      */
     static double edge(double originError, double directionError, double reach, double edge) {
-        return edge * (24 * U * reach + 2 * DIAGONAL * (originError + directionError * reach));
+        return edge * (24 * U * reach + 2 * (originError + DIAGONAL * directionError * reach));
     }
 
-    /** Bounds the error of the power of an origin, |origin - centre|^2 - r^2, due to the origin's error. */
-    static double power(double originError, double radius) {
-        return 2 * DIAGONAL * radius * originError;
+    /**
+     * Bounds the error of the power of an origin near a sphere, |origin - centre|^2 - r^2, due to the origin's errors.
+     *
+     * @param slide how far the origin may be off along some direction
+     * @param along that direction . (origin - centre)
+     */
+    static double power(double originError, double radius, double slide, double along) {
+        return 2 * (radius * originError + slide * Math.abs(along)) + slide * slide;
     }
 
     /**
@@ -107,12 +120,22 @@ final class Rounding {
     }
 
     /**
+     * Bounds by how much a ray is off where it passes a sphere, but for 9u of the radius: {@link #sphereSquare} over
+     * 2 r, of rays whose perpendicular is not much longer than r.
+     *
+     * @param along direction . (origin - centre)
+     */
+    static double passing(double along, double originError) {
+        return originError + 9 * U * Math.abs(along);
+    }
+
+    /**
      * Bounds the error of direction . (origin - centre): 3u of the offset, and the errors of both.
      *
      * @param reach |x| + |y| + |z| of origin - centre
      */
     static double along(double originError, double directionError, double reach) {
-        return (3 * U + directionError) * reach + DIAGONAL * originError;
+        return (3 * U + directionError) * reach + originError;
     }
 
     /**
@@ -121,8 +144,19 @@ final class Rounding {
      * 2u r^2. (As far as r and p are alike: where they are not, the sign is beyond doubt.)
      */
     static double sphereSquare(double originError, double directionError, double reach, double radius, double along) {
-        double foot = DIAGONAL * (originError + directionError * Math.abs(along));
+        double foot = originError + DIAGONAL * directionError * Math.abs(along);
         return 2 * radius * (foot + U * (3 * reach + radius));
+    }
+
+    /**
+     * Bounds the error of the same number computed as (direction . (origin - centre))^2 less the origin's power: less
+     * than {@link #sphereSquare} where a ray starts close to a huge sphere and nearly along it.
+     *
+     * @param alongError  of direction . (origin - centre)
+     * @param powerError  of the origin's power, which also rounds by u
+     */
+    static double tangentSquare(double along, double alongError, double power, double powerError) {
+        return alongError * (2 * Math.abs(along) + alongError) + powerError + 2 * U * (along * along + Math.abs(power));
     }
 
     /**
@@ -138,8 +172,13 @@ final class Rounding {
         double sum = half + Math.abs(along);
         double rounding = (root(sphereSquare(0, 0, reach, radius, along), half) + 3 * U * (reach + sum))
                 * Math.min(1, distance / sum);
-        double ray = DIAGONAL * (originError + directionError * distance);
+        double ray = originError + DIAGONAL * directionError * distance;
         return rounding + root(2 * radius * ray, half) + U * distance;
+    }
+
+    /** Bounds the error of the distance from where a ray has arrived to a lamp, but for the origin's own. */
+    static double lampDistance(Lamp lamp, double distance) {
+        return lamp.positionError() + 4 * U * distance;
     }
 
     /** Bounds the error of a root of a square that is off by so much. */
@@ -148,19 +187,16 @@ final class Rounding {
     }
 
     /**
-     * Bounds the error in each coordinate of computed points of spheres, centre + radius * normal, as against the
-     * points where the same rays meet them exactly: the {@linkplain #sphereDistance distance}'s error, 2u of the
-     * distance from the direction, and 7u of the radius and u of the centre from the normal and the sum.
+     * Bounds how far off along their rays points are where these have met spheres: the {@linkplain #sphereDistance
+     * distances}' errors of rays whose directions are off as those from the eye.
      *
-     * @param centre |x| + |y| + |z| of the centre
-     * @param reach  of origin - centre; is overwritten, as is part
+     * @param reach |x| + |y| + |z| of origin - centre; is overwritten, as is part
      */
-    static Pass spherePosition(double[] centre, double[] reach, double[] radius, double[] along, double[] distance,
-            double[] part, double[] out) {
+    static Pass sphereSlide(
+            double[] reach, double[] radius, double[] along, double[] distance, double[] part, double[] out) {
         return new Pass.InTurn(
                 new PartOfRounding(along, distance, out, part),
                 new OfDistance(reach, distance, part, out),
-                new OfPoint(centre, radius, out),
                 new Squares(reach, radius, distance, part),
                 new AddRoots(reach, along, distance, out));
     }
@@ -176,22 +212,12 @@ final class Rounding {
         }
     }
 
-    /** The distance's linear part and its share of the direction's, in place of the sum: in units of 3u. */
+    /** The distance's linear part, in place of the sum. */
     private record OfDistance(double[] reach, double[] distance, double[] part, double[] sum) implements Pass {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                sum[i] = (reach[i] + sum[i]) * part[i] + distance[i];
-            }
-        }
-    }
-
-    /** All that is linear. */
-    private record OfPoint(double[] centre, double[] radius, double[] out) implements Pass {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                out[i] = U * (3 * out[i] + 7 * radius[i] + centre[i]);
+                sum[i] = U * (3 * (reach[i] + sum[i]) * part[i] + distance[i]);
             }
         }
     }
@@ -214,6 +240,19 @@ final class Rounding {
             for (int i = from; i < to; i++) {
                 double half = Math.abs(distance[i] + along[i]);
                 out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));
+            }
+        }
+    }
+
+    /** {@link #point}, of many; and their normals' errors, which the points' cause on a sphere. */
+    record SpherePoint(double[] distance, double[] position, double[] slide, double[] radius, double[] originError,
+            double[] normalError) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                double error = U * (13 * distance[i] + position[i]);
+                originError[i] = error;
+                normalError[i] = (error + slide[i]) / radius[i] + 4 * U;
             }
         }
     }

@@ -128,6 +128,7 @@ final class Shading {
         if (material.diffuse().isBlack() && material.specular().isBlack()) {
             return;
         }
+        shadows.start(from, to);
         for (Lamp each : lamps) {
             lamp = each;
             Pass.run(aim, from, to);

@@ -15,6 +15,9 @@ final class ShadowRays {
     final Vectors direction = new Vectors(dx, dy, dz);
     final double[] distance = new double[Rays.CAPACITY];
 
+    /** How far off a ray's origin may be, in whatever direction. */
+    final double[] originError = new double[Rays.CAPACITY];
+
     /** Whether it matters that the light is seen, and no surface found so far is in its way. */
     final boolean[] open = new boolean[Rays.CAPACITY];
 
@@ -27,6 +30,7 @@ final class ShadowRays {
     private final Vectors lamps = new Vectors();
 
     private final Pass aiming;
+    private final Pass addErrors;
 
     /** @param rays that will have arrived where these start */
     ShadowRays(Rays rays) {
@@ -34,6 +38,12 @@ final class ShadowRays {
                 Pass.subtract(lamps, rays.origin, direction),
                 new Pass.Length(direction, distance),
                 new Pass.DivideByLength(direction, distance));
+        addErrors = new Pass.Add(rays.originError, rays.slide, originError);
+    }
+
+    /** Sets out from where rays, from one index to another, have arrived. */
+    void start(int from, int end) {
+        Pass.run(addErrors, from, end);
     }
 
     /** Sets out to a lamp from where rays, from one index to another, have arrived. */

@@ -25,14 +25,15 @@ final class SphereArrival {
                 Pass.subtract(rays.origin, centre, rays.normal),
                 new Pass.Reach(rays.normal, scratch.reach),
                 new Pass.Dot(rays.normal, rays.direction, scratch.along),
-                Pass.addProduct(rays.normal, 1, rays.distance, rays.direction, rays.normal),
+                // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
+                Pass.addProduct(rays.origin, 1, rays.distance, rays.direction, rays.origin),
+                Pass.subtract(rays.origin, centre, rays.normal),
                 new Pass.Length(rays.normal, scratch.square),
                 new Pass.DivideByLength(rays.normal, scratch.square),
-                Pass.addProduct(centre, 1, radius, rays.normal, rays.origin),
-                new Pass.Reach(centre, scratch.square),
-                Rounding.spherePosition(scratch.square, scratch.reach, radius, scratch.along, rays.distance,
-                        scratch.distance, rays.originError),
-                new Pass.Divide(rays.originError, radius, rays.normalError));
+                Rounding.sphereSlide(scratch.reach, radius, scratch.along, rays.distance, scratch.square, rays.slide),
+                new Pass.Reach(rays.origin, scratch.square),
+                new Rounding.SpherePoint(rays.distance, scratch.square, rays.slide, radius, rays.originError,
+                        rays.normalError));
     }
 
     void run(int from, int to) {

@@ -17,12 +17,6 @@ final class Spheres extends BoundedSurfaces {
     /** Numbers of one sphere in {@link #data}: centre and radius. */
     static final int STRIDE = 4;
 
-    /**
-     * Of r^2: a ray whose perpendicular's square exceeds r^2 by more than this is clear of the sphere: errors are
-     * smaller for any sphere that is larger than the ray is thick.
-     */
-    private static final double CLEAR = 0.25;
-
     private final double[] data;
 
     /** @param spheres in the order of the tree's leaves */
@@ -53,7 +47,7 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    void meet(Rays rays, int i, int k) {
+    double distance(Rays rays, int i, int k) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
@@ -62,23 +56,31 @@ final class Spheres extends BoundedSurfaces {
         double square = r * r - (ex * ex + ey * ey + ez * ez);
         double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double originError = rays.originError[i], directionError = rays.directionError[i];
-        if (square < 0 && square < -Rounding.sphereSquare(originError, directionError, reach, r, along)) {
-            return;
+        double bound = Rounding.sphereSquare(originError, directionError, reach, r, along);
+        if (square < -bound || PlainSphere.isClear(square, r, originError)) {
+            return Double.NaN;
         }
-        double half = Math.sqrt(Math.max(0, square));
+        double alongError = Rounding.along(originError, directionError, reach);
         double power = rays.source[i] == slot(k)
                 ? 0
                 : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
-        double t;
-        if (Math.abs(power) <= Rounding.power(originError, r)) {
+        double powerError = Rounding.power(originError, r, rays.slide[i], along);
+        if (Math.abs(power) <= powerError) {
             // The ray starts on the sphere: only the other meeting counts, if it goes inwards.
-            t = along < -Rounding.along(originError, directionError, reach) ? -2 * along : -1;
-        } else {
-            t = distance(power, along, half);
+            return along < -alongError - rays.slide[i] ? atMost(rays.reach(i), -2 * along) : Double.NaN;
         }
-        if (t > 0 && t <= rays.reach(i)) {
-            rays.offer(i, slot(k), t);
+        if (square < bound) {
+            double error = Rounding.tangentSquare(along, alongError, power, Rounding.power(originError, r, 0, 0));
+            square = error < bound ? along * along - power : square;
+            if (square < -Math.min(error, bound)) {
+                return Double.NaN;
+            }
         }
+        return atMost(rays.reach(i), distance(power, along, Math.sqrt(Math.max(0, square))));
+    }
+
+    private static double atMost(double most, double t) {
+        return t <= most ? t : Double.NaN;
     }
 
     @Override
@@ -104,20 +106,22 @@ final class Spheres extends BoundedSurfaces {
         } else {
             passBy(rays, rays.direction, from, to, k, scratch);
         }
-        double r = data[STRIDE * k + 3], clear = -CLEAR * r * r;
-        double power = rays.leaveEye ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from],
-                data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2], r) : 0;
+        double x = rays.ox[from], y = rays.oy[from], z = rays.oz[from];
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double power = rays.leaveEye ? PowerOfPoint.of(x, y, z, cx, cy, cz, r) : 0;
         if (!(power > 0)) {
             for (int i = from; i < to; i++) {
-                if (scratch.square[i] >= clear) {
+                if (!PlainSphere.isClear(scratch.square[i], r, rays.originError[i])) {
                     meet(rays, i, k);
                 }
             }
             return;
         }
         // All rays start at the same point outside: what takes long to compute is the same for all.
+        double reach = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
+        double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, reach, r, reach);
         Pass.run(new Perpendicular.Distance(power, scratch.along, scratch.square, scratch.distance), from, to);
-        Pass.run(new PlainSphere.TakeNearer(rays, clear, slot(k), scratch), from, to);
+        Pass.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), scratch), from, to);
         for (int n = 0; n < scratch.doubtfulCount; n++) {
             meet(rays, scratch.doubtful[n], k);
         }
@@ -131,8 +135,7 @@ final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, scratch);
-        double r = data[STRIDE * k + 3];
-        Pass.run(new PlainSphere.Close(rays, shadows, r, -CLEAR * r * r, slot(k), lampSide, scratch), from, to);
+        Pass.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, scratch), from, to);
         for (int n = 0; n < scratch.doubtfulCount; n++) {
             int i = scratch.doubtful[n];
             shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
@@ -168,12 +171,12 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public double distanceError(Rays rays, int i, int slot, double t) {
-        int k = STRIDE * number(slot);
-        double x = rays.ox[i] - data[k], y = rays.oy[i] - data[k + 1], z = rays.oz[i] - data[k + 2];
+    double distanceError(Rays rays, int i, int k, double t) {
+        int at = STRIDE * k;
+        double x = rays.ox[i] - data[at], y = rays.oy[i] - data[at + 1], z = rays.oz[i] - data[at + 2];
         double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
         return Rounding.sphereDistance(rays.originError[i], rays.directionError[i],
-                Math.abs(x) + Math.abs(y) + Math.abs(z), data[k + 3], Math.abs(t + along), along, t);
+                Math.abs(x) + Math.abs(y) + Math.abs(z), data[at + 3], Math.abs(t + along), along, t);
     }
 
     /**
@@ -203,37 +206,58 @@ final class Spheres extends BoundedSurfaces {
         double along = x * dx + y * dy + z * dz;
         double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double originError = rays.originError[i];
+        double slide = rays.slide[i];
+        double alongError = Rounding.along(originError, 2 * Rounding.U, reach) + slide;
         int side = 0;
         if (rays.hit[i] != slot(k)) {
             double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
             double square = r * r - (ex * ex + ey * ey + ez * ez);
-            if (square < 0 && square < -Rounding.sphereSquare(originError, 2 * Rounding.U, reach, r, along)) {
+            double bound = Rounding.sphereSquare(shadows.originError[i], 2 * Rounding.U, reach, r, along);
+            if (square < -bound || PlainSphere.isClear(square, r, shadows.originError[i])) {
                 return false;
             }
-            side = side(rays.ox[i], rays.oy[i], rays.oz[i], originError, k);
+            double slideAlong = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
+            double powerError = Rounding.power(originError, r, slide, slideAlong);
+            double power = power(rays.ox[i], rays.oy[i], rays.oz[i], powerError, k);
+            side = sign(power, powerError);
+            double error = Rounding.tangentSquare(along, alongError, power, powerError);
+            if (side > 0 && square < bound && error < bound && along * along - power < -error) {
+                return false;
+            }
         }
         if (side == 0) {
             // It must go inwards, and come out again before the light.
-            return along < -Rounding.along(originError, 2 * Rounding.U, reach) && lampSide > 0;
+            return along < -alongError && lampSide > 0;
         }
-        return side < 0 || lampSide < 0 ? side * lampSide < 0 : along < 0 && -along < shadows.distance[i];
+        if (side < 0 || lampSide < 0) {
+            return side * lampSide < 0;
+        }
+        // The middle of the way through the sphere must be before the light: clearly so, if the light is on the sphere.
+        return along < 0 && -along < shadows.distance[i]
+                - (lampSide > 0 ? 0 : alongError + Rounding.lampDistance(shadows.lamp, shadows.distance[i]));
     }
 
     private int sideOfLamp(Lamp lamp, int k) {
-        return lamp.directional() ? 1 : side(lamp.x(), lamp.y(), lamp.z(), lamp.positionError(), k);
+        if (lamp.directional()) {
+            return 1;
+        }
+        double error = Rounding.power(lamp.positionError(), data[STRIDE * k + 3], 0, 0);
+        return sign(power(lamp.x(), lamp.y(), lamp.z(), error, k), error);
     }
 
     /** 1 if a point is outside a sphere, -1 inside, 0 on it. */
-    private int side(double px, double py, double pz, double error, int k) {
+    private static int sign(double power, double error) {
+        return Math.abs(power) <= error ? 0 : power > 0 ? 1 : -1;
+    }
+
+    /** The power of a point, exactly enough to compare with a bound. */
+    private double power(double px, double py, double pz, double bound, int k) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double x = px - cx, y = py - cy, z = pz - cz;
         double square = x * x + y * y + z * z;
-        double bound = Rounding.power(error, r);
         double power = square - r * r;
-        if (Math.abs(power) <= bound + Rounding.plainPower(square, r)) {
-            power = PowerOfPoint.of(px, py, pz, cx, cy, cz, r);
-        }
-        return Math.abs(power) <= bound ? 0 : power > 0 ? 1 : -1;
+        return Math.abs(power) <= bound + Rounding.plainPower(square, r)
+                ? PowerOfPoint.of(px, py, pz, cx, cy, cz, r) : power;
     }
 
     @Override

@@ -7,14 +7,14 @@ package raytracer.tracer;
 sealed interface Surfaces permits Planes, BoundedSurfaces {
 
     /**
-     * What offers every ray what it meets among these: {@link Rays#offer}.
+     * What records for every ray the nearest that it meets among these: {@link Rays#record}.
      *
      * @param eye where rays start, if they leave the eye
      */
     Pass finding(Rays rays, Lamp eye, Scratch scratch);
 
-    /** Bounds the error of the distance at which a ray meets the surface in a slot. */
-    double distanceError(Rays rays, int ray, int slot, double t);
+    /** Adds all of these that a ray meets no farther away than {@link Rays#reach}. */
+    void collect(Rays rays, int ray, Ties ties, Scratch scratch);
 
     /** What closes every open shadow ray that one of these blocks between its ends. */
     Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch);

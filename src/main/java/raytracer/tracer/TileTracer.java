@@ -34,6 +34,7 @@ public final class TileTracer {
 
     private final Scratch scratch = new Scratch();
     private final Rays rays;
+    private final Ties ties;
     private final Pass aiming;
     private final Pass[] find;
     private final Groups groups;
@@ -62,7 +63,8 @@ public final class TileTracer {
         this.surfaces = surfaces;
         this.material = slots.material();
         this.maxDepth = maxDepth;
-        rays = new Rays(slots.declared(), surfaces);
+        rays = new Rays();
+        ties = new Ties(slots.declared(), surfaces, rays, scratch);
         groups = new Groups(slots);
         this.pinhole = pinhole;
         aiming = pinhole.aiming(rays);
@@ -138,6 +140,7 @@ public final class TileTracer {
         for (Pass kind : find) {
             Pass.run(kind, 0, rays.count);
         }
+        ties.settle();
     }
 
     /** Puts rays that have met surfaces of the same look together; those that have met none leave. */

@@ -24,6 +24,9 @@ final class Triangles extends BoundedSurfaces {
      */
     private static final double SIEVE = 64;
 
+    /** Of the distance at which a ray meets a triangle's plane: a corner farther away than this is far. */
+    private static final double FAR = 16;
+
     private final Mesh mesh;
     /** By a triangle's number among these: its number in the mesh. */
     private final int[] order;
@@ -71,26 +74,32 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    void meet(Rays rays, int i, int k) {
+    double distance(Rays rays, int i, int k) {
         if (rays.source[i] == slot(k)) {
-            return;
+            return Double.NaN;
         }
         double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
         double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
-        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
         double offset = ax * nx + ay * ny + az * nz;
-        double cosine = dx * nx + dy * ny + dz * nz;
+        double cosine = rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz;
         double t = offset / cosine;
-        if (!(t > 0 && t <= rays.reach(i))
-                || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])
-                || !passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
-                        dx, dy, dz, rays.directionError[i])) {
-            return;
+        double limit = rays.reach(i);
+        if (!(t > 0) || t > limit && isBeyond(rays, i, ax, ay, az, t - limit, cosine)
+                || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])) {
+            return Double.NaN;
         }
-        double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
-        if (Math.abs(offset) > Rounding.planeOffset(rays.originError[i], reach)) {
-            rays.offer(i, slot(k), t);
-        }
+        double within = within(rays, rays.direction, i, k, rays.originError[i], rays.directionError[i], t);
+        return within <= limit && Math.abs(offset)
+                > Rounding.planeOffset(rays.originError[i], products(rays, i, k, t))
+                        + rays.slide[i] * Math.abs(cosine) ? within : Double.NaN;
+    }
+
+    /** Whether a distance is too great by more than its error. */
+    private static boolean isBeyond(
+            Rays rays, int i, double ax, double ay, double az, double beyond, double cosine) {
+        double cosineError = Rounding.cosine(rays.directionError[i]);
+        return beyond * (Math.abs(cosine) - cosineError) > rays.reach(i) * cosineError
+                + Rounding.planeOffset(rays.originError[i], Math.abs(ax) + Math.abs(ay) + Math.abs(az));
     }
 
     @Override
@@ -107,19 +116,19 @@ final class Triangles extends BoundedSurfaces {
     @Override
     void prepareToMeet(Rays rays, int from, int to, Scratch scratch) {
         scratch.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
-        prepare(rays, rays.direction, from, to, scratch);
+        prepare(rays, rays.direction, rays.originError, from, to, scratch);
     }
 
     @Override
     void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
         scratch.directionError = 2 * Rounding.U;
-        prepare(rays, shadows.direction, from, to, scratch);
+        prepare(rays, shadows.direction, shadows.originError, from, to, scratch);
     }
 
-    private static void prepare(Rays rays, Vectors d, int from, int to, Scratch scratch) {
+    private static void prepare(Rays rays, Vectors d, double[] originError, int from, int to, Scratch scratch) {
         Vectors.cross(rays.origin, d, scratch.moment, from, to);
         scratch.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
-        scratch.originError = greatest(rays.originError, from, to);
+        scratch.originError = greatest(originError, from, to);
     }
 
     private static double greatest(double[] values, int from, int to) {
@@ -201,37 +210,81 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public double distanceError(Rays rays, int i, int slot, double t) {
-        int k = number(slot);
+    double distanceError(Rays rays, int i, int k, double t) {
         double cosine = rays.dx[i] * normals[3 * k] + rays.dy[i] * normals[3 * k + 1] + rays.dz[i] * normals[3 * k + 2];
-        return Rounding.planeDistance(rays.originError[i], rays.directionError[i], reach(rays, i, k), t, cosine);
+        return Rounding.planeDistance(
+                rays.originError[i], rays.directionError[i], products(rays, i, k, t), t, cosine);
     }
 
-    /** |x| + |y| + |z| of a triangle's first corner, seen from where a ray starts. */
-    private double reach(Rays rays, int i, int k) {
-        return Math.abs(corner(k, 0, 0) - rays.ox[i]) + Math.abs(corner(k, 0, 1) - rays.oy[i])
-                + Math.abs(corner(k, 0, 2) - rays.oz[i]);
+    /**
+     * What {@link Rounding#planeOffset} takes of a triangle's plane: |x| + |y| + |z| of the first corner, seen from
+     * where a ray starts; or less, if that is far beyond where the ray meets the plane.
+     */
+    private double products(Rays rays, int i, int k, double t) {
+        double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        return reach <= FAR * t ? reach : Math.min(reach, productsOfFar(k, x, y, z));
     }
 
-    /** Whether the line of a ray passes a triangle's edges all on one side, or on them as far as one can tell. */
-    private boolean passesWithin(int k, double ox, double oy, double oz, double originError,
-            double dx, double dy, double dz, double directionError) {
+    /** By coordinates: the normal's error is 4u of the magnitudes that its products have, and may be none. */
+    private double productsOfFar(int k, double x, double y, double z) {
+        Vector a = mesh.corner(order[k], 0), e = mesh.corner(order[k], 1).minus(a), f = mesh.corner(order[k], 2).minus(a);
+        double magnitudes = Math.abs(x) * (Math.abs(e.y() * f.z()) + Math.abs(e.z() * f.y()))
+                + Math.abs(y) * (Math.abs(e.z() * f.x()) + Math.abs(e.x() * f.z()))
+                + Math.abs(z) * (Math.abs(e.x() * f.y()) + Math.abs(e.y() * f.x()));
+        return 2 * magnitudes / e.cross(f).length();
+    }
+
+    /**
+     * The distance at which a ray meets a triangle, given that at which it meets its plane; NaN if it misses. A ray
+     * that passes all edges on the same side by more than rounding hits. One that rounding cannot tell from an edge
+     * does too, if it comes near the triangle: seen edge-on, or beyond the tip of a needle, the edges' sides alone do
+     * not tell. The distance then is one inside the triangle's box, so that no search overlooks it.
+     */
+    private double within(
+            Rays rays, Vectors d, int i, int k, double originError, double directionError, double t) {
+        double ox = rays.ox[i], oy = rays.oy[i], oz = rays.oz[i];
+        double dx = d.x()[i], dy = d.y()[i], dz = d.z()[i];
         double ax = corner(k, 0, 0) - ox, ay = corner(k, 0, 1) - oy, az = corner(k, 0, 2) - oz;
         double bx = corner(k, 1, 0) - ox, by = corner(k, 1, 1) - oy, bz = corner(k, 1, 2) - oz;
         double cx = corner(k, 2, 0) - ox, cy = corner(k, 2, 1) - oy, cz = corner(k, 2, 2) - oz;
         double ab = side(ax, ay, az, bx, by, bz, dx, dy, dz);
         double bc = side(bx, by, bz, cx, cy, cz, dx, dy, dz);
         double ca = side(cx, cy, cz, ax, ay, az, dx, dy, dz);
-        if (ab >= 0 && bc >= 0 && ca >= 0 || ab <= 0 && bc <= 0 && ca <= 0) {
-            return true;
-        }
-        double a = Math.abs(ax) + Math.abs(ay) + Math.abs(az);
-        double b = Math.abs(bx) + Math.abs(by) + Math.abs(bz);
-        double c = Math.abs(cx) + Math.abs(cy) + Math.abs(cz);
         double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
                 + Math.abs(cx - ax) + Math.abs(cy - ay) + Math.abs(cz - az);
-        double bound = Rounding.edge(originError, directionError, Math.max(a, Math.max(b, c)), edges);
-        return ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound;
+        double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges;
+        double bound = Rounding.edge(originError, directionError, reach, edges);
+        double least = Math.min(ab, Math.min(bc, ca)), greatest = Math.max(ab, Math.max(bc, ca));
+        if (least > bound || greatest < -bound) {
+            return t;
+        }
+        return least >= -bound || greatest <= bound
+                ? inBox(rays, d, i, k, Rounding.edge(originError, directionError, reach, 1), t) : Double.NaN;
+    }
+
+    /**
+     * The distance nearest to t at which a ray is in the triangle's box, widened by a margin; NaN if there is none, or
+     * it differs from t by more than t may be off.
+     */
+    private double inBox(Rays rays, Vectors d, int i, int k, double margin, double t) {
+        double near = Double.NEGATIVE_INFINITY, far = Double.POSITIVE_INFINITY;
+        double x = d.x()[i], y = d.y()[i], z = d.z()[i];
+        for (int axis = 0; axis < 3; axis++) {
+            double speed = axis == 0 ? x : axis == 1 ? y : z;
+            double from = axis == 0 ? rays.ox[i] : axis == 1 ? rays.oy[i] : rays.oz[i];
+            double a = corner(k, 0, axis) - from, b = corner(k, 1, axis) - from, c = corner(k, 2, axis) - from;
+            double least = Math.min(a, Math.min(b, c)) - margin, greatest = Math.max(a, Math.max(b, c)) + margin;
+            if (speed != 0) {
+                near = Math.max(near, (speed > 0 ? least : greatest) / speed);
+                far = Math.min(far, (speed > 0 ? greatest : least) / speed);
+            } else if (!(least <= 0 && greatest >= 0)) {
+                return Double.NaN;
+            }
+        }
+        double cosine = Math.abs(x * normals[3 * k] + y * normals[3 * k + 1] + z * normals[3 * k + 2]);
+        double inBox = Math.max(near, Math.min(far, t));
+        return near <= far && Math.abs(t - inBox) * cosine <= 2 * margin ? inBox : Double.NaN;
     }
 
     /**
@@ -252,16 +305,15 @@ final class Triangles extends BoundedSurfaces {
         }
         double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
         double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
-        double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double offset = x * nx + y * ny + z * nz;
-        double cosine = dx * nx + dy * ny + dz * nz;
+        double cosine = shadows.dx[i] * nx + shadows.dy[i] * ny + shadows.dz[i] * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
         return (offset > 0 && cosine > 0 || offset < 0 && cosine < 0)
                 && Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
-                && passesWithin(k, rays.ox[i], rays.oy[i], rays.oz[i], rays.originError[i],
-                        dx, dy, dz, 2 * Rounding.U)
-                && Math.abs(offset) > Rounding.planeOffset(
-                        rays.originError[i], Math.abs(x) + Math.abs(y) + Math.abs(z))
+                && within(rays, shadows.direction, i, k, shadows.originError[i], 2 * Rounding.U,
+                        offset / cosine) > 0
+                && Math.abs(offset) > Rounding.planeOffset(rays.originError[i], products(rays, i, k, offset / cosine))
+                        + rays.slide[i] * Math.abs(rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz)
                 && isBeforeLamp(shadows.lamp, k, offset);
     }
 
@@ -285,7 +337,7 @@ final class Triangles extends BoundedSurfaces {
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
             int k = number(rays.hit[i]);
-            rays.arriveOnPlane(i, reach(rays, i, k), normals[3 * k], normals[3 * k + 1], normals[3 * k + 2]);
+            rays.arriveOnPlane(i, products(rays, i, k, rays.distance[i]), normals[3 * k], normals[3 * k + 1], normals[3 * k + 2]);
         }
     }
 }

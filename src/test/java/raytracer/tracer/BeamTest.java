@@ -19,7 +19,7 @@ class BeamTest {
     private static final int RAYS = 40;
 
     private final Beam beam = new Beam();
-    private final Rays rays = new Rays(new int[0], List.of());
+    private final Rays rays = new Rays();
     private final double[][] o = {rays.ox, rays.oy, rays.oz};
     private final double[][] d = {rays.dx, rays.dy, rays.dz};
     private final double[] distance = rays.distance;

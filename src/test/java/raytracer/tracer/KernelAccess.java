@@ -35,7 +35,7 @@ public final class KernelAccess {
         for (int i = 0; i < origin.length; i++) {
             int tile = i / Rays.CAPACITY, ray = i % Rays.CAPACITY;
             if (ray == 0) {
-                tiles[tile] = new Rays(compiler.slots().declared(), List.of(surfaces));
+                tiles[tile] = new Rays();
             }
             load(tiles[tile], ray, origin[i], direction[i]);
             slots[tile][ray] = slotOf[targets[i]];

@@ -150,7 +150,7 @@ class LawsTest {
     }
 
     private static Rays nearest(Surfaces surfaces, int[] declared, Vector o, Vector d) {
-        Rays rays = new Rays(declared, List.of(surfaces));
+        Rays rays = new Rays();
         rays.count = 1;
         rays.ox[0] = o.x();
         rays.oy[0] = o.y();

@@ -113,7 +113,7 @@ class LightBufferTest {
         LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, lamp);
         assertNotNull(buffer);
         LightBuffer.Cells cells = new LightBuffer.Cells();
-        Rays rays = new Rays(new int[0], List.of());
+        Rays rays = new Rays();
         Vector light = new Vector(lamp.x(), lamp.y(), lamp.z());
         Hulls.Batch hull = new Hulls.Batch();
         long entries = 0;
@@ -227,7 +227,7 @@ class LightBufferTest {
         Bvh bvh = tree(spheres);
         LightBuffer buffer = LightBufferBuilder.build(
                 bvh, Hulls.of(inOrder(bvh, spheres)), lamp(false, new Vector(0, 3, 0)));
-        Rays rays = new Rays(new int[0], List.of());
+        Rays rays = new Rays();
         rays.oy[1] = -3e6;
         assertTrue(buffer.reaches(rays, 0, 1));
         assertFalse(buffer.reaches(rays, 0, 2));
@@ -348,7 +348,7 @@ class LightBufferTest {
             int p = pixel + i / 4;
             SamplesTest.add(samples, p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
         }
-        Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
+        Rays rays = new Rays();
         rays.start(pinhole.aiming(rays), null, samples, 0, Rays.CAPACITY);
         rays.clearHits();
         surfaces.forEach(kind -> kind.finding(rays, pinhole.lamp(), scratch).run(0, Rays.CAPACITY));
@@ -368,7 +368,7 @@ class LightBufferTest {
 
     /** Rays that have arrived all over the place. */
     private static Rays start(Random random, List<Surfaces> surfaces) {
-        Rays rays = new Rays(IntStream.range(0, 2 * COUNT).toArray(), surfaces);
+        Rays rays = new Rays();
         rays.count = Rays.CAPACITY;
         for (int i = 0; i < Rays.CAPACITY; i++) {
             rays.ox[i] = coordinate(random, 1.5);
@@ -381,6 +381,7 @@ class LightBufferTest {
 
     private static ShadowRays blocked(Rays rays, Surfaces surfaces, Lamp lamp, Scratch scratch) {
         ShadowRays shadows = new ShadowRays(rays);
+        shadows.start(0, Rays.CAPACITY);
         shadows.aim(lamp, 0, Rays.CAPACITY);
         Arrays.fill(shadows.open, true);
         surfaces.blocking(rays, shadows, scratch).run(0, Rays.CAPACITY);

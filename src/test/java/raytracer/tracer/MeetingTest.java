@@ -131,7 +131,7 @@ class MeetingTest {
 
     @Test
     void keepsItsLengthOverAMillionMirrors() {
-        Rays rays = new Rays(new int[1], java.util.List.of());
+        Rays rays = new Rays();
         Vector d = at(.3, .5, .8).unit(), n = at(.6, .7, .1).unit(), m = at(-.1, .9, .3).unit();
         rays.count = 1;
         rays.dx[0] = d.x();

@@ -15,6 +15,7 @@ public final class Probe {
     private final SlotTable slots;
     private final List<Surfaces> surfaces;
     private final Rays rays;
+    private final Ties ties;
     private final Scratch scratch = new Scratch();
 
     /** What a ray met: the shape's number in the order of declaration. */
@@ -25,7 +26,8 @@ public final class Probe {
         SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
         surfaces = compiler.surfaces();
         slots = compiler.slots();
-        rays = new Rays(slots.declared(), surfaces);
+        rays = new Rays();
+        ties = new Ties(slots.declared(), surfaces, rays, scratch);
     }
 
     /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
@@ -34,6 +36,7 @@ public final class Probe {
         rays.source[0] = Rays.NONE;
         rays.leaveEye = true;
         rays.originError[0] = 0;
+        rays.slide[0] = 0;
         rays.directionError[0] = Rounding.EYE_DIRECTION;
         return meet();
     }
@@ -61,6 +64,7 @@ public final class Probe {
         shadows.dy[0] = unit.y();
         shadows.dz[0] = unit.z();
         shadows.open[0] = true;
+        shadows.start(0, 1);
         surfaces.forEach(kind -> kind.blocking(rays, shadows, scratch).run(0, 1));
         return shadows.open[0];
     }
@@ -89,6 +93,7 @@ public final class Probe {
     private Meeting meet() {
         rays.clearHits();
         surfaces.forEach(kind -> kind.finding(rays, null, scratch).run(0, rays.count));
+        ties.settle();
         int slot = rays.hit[0];
         if (slot == Rays.NONE) {
             return null;

@@ -23,7 +23,7 @@ class WindowTest {
     void holdsWhatItMust(String camera, double fromX, double toX, double fromY, double toY) throws Exception {
         Pinhole pinhole = new Pinhole(Scenes.parse("size 60 50\ncamera " + camera).scene());
         Vector backward = Scenes.parse("size 60 50\ncamera " + camera).scene().camera().backward();
-        Rays rays = new Rays(new int[0], List.of());
+        Rays rays = new Rays();
         Samples corners = Samples.ofColour();
         for (int i = 0; i < 4; i++) {
             SamplesTest.add(corners, i % 2 == 0 ? fromX : toX, i / 2 == 0 ? fromY : toY);

@@ -1,0 +1,144 @@
+package raytracer.tracer;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import raytracer.scene.Light;
+import raytracer.scene.Scene;
+import raytracer.scene.Vector;
+import raytracer.stability.NearTies;
+import raytracer.text.Scenes;
+
+@DisplayName("Of surfaces that rounding cannot tell apart")
+class TiesTest {
+
+    private static final int WIDTH = 40;
+    private static final int HEIGHT = 30;
+    private static final double[] OFFSETS = {0, 1, 300, 1e4};
+    private static final int SEEDS = Integer.getInteger("seeds", 5);
+
+    /** A scene to be searched in ways that a test chooses. */
+    private static final class Searched {
+        private final Pinhole pinhole;
+        private final List<Surfaces> surfaces;
+        private final SlotTable slots;
+        private final List<Lamp> lamps = new ArrayList<>();
+        private final int maxDepth;
+
+        Searched(String text) throws Exception {
+            Scene scene = Scenes.parse(text).scene();
+            pinhole = new Pinhole(scene);
+            for (Light light : scene.lights()) {
+                lamps.add(Lamp.of(light));
+            }
+            List<Lamp> withEye = new ArrayList<>(lamps);
+            withEye.add(pinhole.lamp());
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, withEye, ForkJoinPool.commonPool());
+            surfaces = compiler.surfaces();
+            slots = compiler.slots();
+            maxDepth = scene.maxDepth();
+        }
+
+        /** Makes it so that every ray that would walk the tree looks into a light buffer instead; returns how many. */
+        int buildLightBuffers() {
+            List<Lamp> all = new ArrayList<>(lamps);
+            all.add(pinhole.lamp());
+            int built = 0;
+            for (Surfaces kind : surfaces) {
+                for (Lamp lamp : all) {
+                    built += kind instanceof BoundedSurfaces bounded
+                            && bounded.lightBuffer(lamp).insteadOfWalks(Integer.MAX_VALUE) != null ? 1 : 0;
+                }
+            }
+            return built;
+        }
+
+        /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
+        double[] tiled(int side) {
+            double[] red = new double[WIDTH * HEIGHT];
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
+            Samples samples = Samples.ofColour();
+            for (int top = 0; top < HEIGHT; top += side) {
+                for (int left = 0; left < WIDTH; left += side) {
+                    int columns = Math.min(side, WIDTH - left), rows = Math.min(side, HEIGHT - top);
+                    tracer.traceCentres(left, top, columns, rows, samples);
+                    for (int i = 0; i < columns * rows; i++) {
+                        red[(top + i / columns) * WIDTH + left + i % columns] = samples.red[i];
+                    }
+                }
+            }
+            return red;
+        }
+
+        /** All pixels' red, of rays from all over the picture together: for a beam they are too wide. */
+        double[] scattered() {
+            double[] red = new double[WIDTH * HEIGHT];
+            List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
+            Collections.shuffle(pixels, new Random(1));
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
+            Samples samples = Samples.ofColour();
+            for (int from = 0; from < red.length; from += Samples.CAPACITY) {
+                List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));
+                samples.count = 0;
+                some.forEach(p -> SamplesTest.add(samples, p % WIDTH + .5, p / WIDTH + .5));
+                tracer.trace(samples);
+                for (int i = 0; i < some.size(); i++) {
+                    red[some.get(i)] = samples.red[i];
+                }
+            }
+            return red;
+        }
+    }
+
+    @ParameterizedTest(name = "{0}: a ray sees the same by beam, by its own walk and by light buffer")
+    @EnumSource
+    void everySearchFindsTheSame(NearTies family) throws Exception {
+        int built = 0;
+        for (int seed = 0; seed < SEEDS; seed++) {
+            for (double offset : OFFSETS) {
+                String text = family.scene(seed, offset, WIDTH, HEIGHT);
+                Searched scene = new Searched(text);
+                double[] tiled = scene.tiled(Rays.TILE_SIDE);
+                String name = family + " " + seed + " at " + offset;
+                assertArrayEquals(tiled, scene.tiled(1), name + ": one ray a tile");
+                assertArrayEquals(tiled, scene.scattered(), name + ": walks");
+                built += scene.buildLightBuffers();
+                assertArrayEquals(tiled, scene.scattered(), name + ": light buffers");
+                assertArrayEquals(tiled, scene.tiled(Rays.TILE_SIDE), name + ": again");
+                assertTrue(Arrays.stream(tiled).distinct().count() > 20, name + " is all alike");
+            }
+        }
+        assertTrue(family == NearTies.PLANES || built > 0, "light buffers were built");
+    }
+
+    @Test
+    @DisplayName("the first declared that is as near as the surest is seen, whatever lies between")
+    void theRule() throws Exception {
+        // At a distance of 1 errors are about 2e-15. The third is clearly nearer than the first; the second ties with both.
+        double first = 1 + 6e-15, second = 1 + 3e-15, third = 1;
+        double[][] orders = {{first, second, third}, {second, first, third}, {third, second, first},
+            {first, third, second}, {second, third, first}, {third, first, second}};
+        for (double[] order : orders) {
+            StringBuilder shapes = new StringBuilder();
+            for (double distance : order) {
+                shapes.append("plane 0 0 ").append(-distance).append(" 0 0 1\n");
+            }
+            Probe.Meeting m = new Probe(shapes.toString()).shoot(new Vector(0, 0, 0), new Vector(0, 0, -1));
+            double seen = order[m.shape()];
+            double wanted = Arrays.stream(order).filter(d -> d != first).findFirst().orElseThrow();
+            assertEquals(wanted, seen, Arrays.toString(order));
+        }
+    }
+}
