@@ -22,6 +22,13 @@ final class Operands {
 
     private static final int MOST = 10;
 
+    /**
+     * Squares and products of two lengths must neither overflow nor lose their last bits, so coordinates are no greater
+     * than this, and what has a size is no smaller than one part in so many.
+     */
+    private static final double GREATEST = 1e150;
+    private static final double LEAST = 1 / GREATEST;
+
     private final Line line;
     private final Diagnostics diagnostics;
     private final double[] values = new double[MOST];
@@ -96,11 +103,26 @@ final class Operands {
         return values[i];
     }
 
-    double positive(int i) throws Rejected {
+    double coordinate(int i) throws Rejected {
+        if (!(Math.abs(values[i]) <= GREATEST)) {
+            throw reject(i, "to be from -1e150 to 1e150");
+        }
+        return values[i];
+    }
+
+    double radius(int i) throws Rejected {
         if (!(values[i] > 0)) {
             throw reject(i, "to be more than 0");
         }
+        if (!(values[i] >= LEAST && values[i] <= GREATEST)) {
+            throw reject(i, "to be from 1e-150 to 1e150");
+        }
         return values[i];
+    }
+
+    /** Whether a displacement is so short that squares would lose it. */
+    static boolean isTooShort(Vector v) {
+        return Math.max(Math.abs(v.x()), Math.max(Math.abs(v.y()), Math.abs(v.z()))) < LEAST;
     }
 
     /** A whole number within these bounds. */
@@ -124,8 +146,12 @@ final class Operands {
         return value >= least && value <= most && value == Math.rint(value);
     }
 
-    Vector vector(int i) {
+    private Vector vector(int i) {
         return new Vector(values[i], values[i + 1], values[i + 2]);
+    }
+
+    Vector point(int i) throws Rejected {
+        return new Vector(coordinate(i), coordinate(i + 1), coordinate(i + 2));
     }
 
     /** A vector that points somewhere. */

@@ -10,6 +10,7 @@ import raytracer.scene.Camera;
 import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
+import raytracer.scene.Vector;
 
 /**
  * Reads the text of a scene: one rule per command of the format. All validation happens here, once; a {@link Scene}
@@ -118,12 +119,12 @@ public final class SceneParser {
             case SPECULAR -> material.specular(o.colour(0));
             case SHININESS -> material.shininess(o.number(0));
             case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
-            case POINT -> lights.add(new Light.Point(o.vector(0), o.colour(3)));
+            case POINT -> lights.add(new Light.Point(o.point(0), o.colour(3)));
             case MAXVERTS -> maxVertices(o);
             case VERTEX -> vertex(o);
             case TRI -> triangle(o);
-            case SPHERE -> shapes.add(new Shape.Sphere(o.vector(0), o.positive(3), material.current()));
-            case PLANE -> shapes.add(new Shape.Plane(o.vector(0), o.direction(3), material.current()));
+            case SPHERE -> shapes.add(new Shape.Sphere(o.point(0), o.radius(3), material.current()));
+            case PLANE -> shapes.add(new Shape.Plane(o.point(0), o.direction(3), material.current()));
             default -> throw new IllegalStateException("there is no rule for " + command);
         }
     }
@@ -157,12 +158,12 @@ public final class SceneParser {
 
     private void camera(Operands o) throws Operands.Rejected {
         once(Command.CAMERA, o);
-        camera = new Camera(o.vector(0), o.vector(3), o.vector(6), o.number(9));
-        if (camera.eye().minus(camera.at()).isZero()) {
+        camera = new Camera(o.point(0), o.point(3), o.direction(6), o.number(9));
+        Vector view = camera.eye().minus(camera.at());
+        if (Operands.isTooShort(view)) {
             throw o.rejectAll(0, 5, "expected the eye (ex ey ez) and the point looked at (ax ay az) of 'camera'"
-                    + " to differ, found them equal");
+                    + " to differ" + (view.isZero() ? ", found them equal" : " by 1e-150 or more"));
         }
-        o.direction(6);
         if (!camera.upIsClear()) {
             throw o.rejectAll(6, 8, "expected up (ux uy uz) of 'camera' to differ from the direction of view,"
                     + " found them parallel");
@@ -195,12 +196,15 @@ public final class SceneParser {
                             + lineOf.get(Command.MAXVERTS) + "), found one more"
                     : "expected 'maxverts' before the first 'vertex', found none");
         }
-        shapes.addVertex(o.number(0), o.number(1), o.number(2));
+        shapes.addVertex(o.coordinate(0), o.coordinate(1), o.coordinate(2));
     }
 
     private void triangle(Operands o) throws Operands.Rejected {
         int declared = shapes.vertices();
         shapes.addTriangle(o.vertex(0, declared), o.vertex(1, declared), o.vertex(2, declared), material.current());
+        if (shapes.lastTriangleIsTooSmall()) {
+            throw o.rejectAll(0, 2, "expected the corners of 'tri' to be 1e-150 or more apart, or equal");
+        }
         if (shapes.lastTriangleIsEmpty() && emptyTriangles++ == 0) {
             firstEmptyTriangleLine = reader.number();
         }

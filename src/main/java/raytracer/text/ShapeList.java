@@ -46,9 +46,17 @@ final class ShapeList {
 
     /** Whether the corners of the triangle added last lie on a line, as far as doubles can tell. */
     boolean lastTriangleIsEmpty() {
-        Vector a = mesh.corner(0);
-        Vector normal = mesh.corner(1).minus(a).cross(mesh.corner(2).minus(a));
-        return normal.isZero();
+        return edge(1).cross(edge(2)).isZero();
+    }
+
+    /** Whether the triangle added last is so small that its area is lost, though its corners are not equal. */
+    boolean lastTriangleIsTooSmall() {
+        return Operands.isTooShort(edge(1)) && Operands.isTooShort(edge(2)) && !(edge(1).isZero() && edge(2).isZero());
+    }
+
+    /** From the first corner of the triangle added last to another. */
+    private Vector edge(int corner) {
+        return mesh.corner(corner).minus(mesh.corner(0));
     }
 
     List<Shape> list() {

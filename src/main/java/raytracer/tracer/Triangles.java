@@ -142,9 +142,9 @@ final class Triangles extends BoundedSurfaces {
     @Override
     void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
         double clear = passBy(rays.direction, from, to, k, scratch);
-        double[] product = scratch.square;
+        double[] apart = scratch.square;
         for (int i = from; i < to; i++) {
-            if (!(product[i] < clear)) {
+            if (!(apart[i] > clear)) {
                 meet(rays, i, k);
             }
         }
@@ -153,33 +153,32 @@ final class Triangles extends BoundedSurfaces {
     @Override
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
         double clear = passBy(shadows.direction, from, to, k, scratch);
-        double[] product = scratch.square;
+        double[] apart = scratch.square;
         for (int i = from; i < to; i++) {
-            if (shadows.open[i] && !(product[i] < clear)) {
+            if (shadows.open[i] && !(apart[i] > clear)) {
                 shadows.open[i] = !blocks(rays, shadows, i, k);
             }
         }
     }
 
     /**
-     * Computes for all rays the least product of two edges' sides, in {@link Scratch#square}: negative where a ray
-     * passes edges on different sides. The sides are those of {@link #passesWithin}, but from the rays' moments about
+     * Computes for all rays, in {@link Scratch#square}, by how much they pass edges on different sides, if that is more
+     * than 0. The sides are those of {@link #passesWithin}, but from the rays' moments about
      * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
      * digits, and is only a first sieve.
      *
-     * @return rays are clear of the triangle if they have less than this
+     * @return rays are clear of the triangle if they have more than this
      */
     private double passBy(Vectors d, int from, int to, int k, Scratch scratch) {
         double[] ab = scratch.centreX, bc = scratch.centreY, ca = scratch.centreZ;
         sides(k, 0, 1, d, ab, from, to, scratch);
         sides(k, 1, 2, d, bc, from, to, scratch);
         sides(k, 2, 0, d, ca, from, to, scratch);
-        Pass.run(new LeastProduct(ab, bc, ca, scratch.square), from, to);
+        Pass.run(new Contradiction(ab, bc, ca, scratch.square), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
         double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
                 + scratch.farthest;
-        double most = 4 * edges * reach;
-        return -most * SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
+        return SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
     }
 
     /** |x| + |y| + |z| of the edge between two corners. */
@@ -199,12 +198,12 @@ final class Triangles extends BoundedSurfaces {
         Pass.run(new Pass.AddDotWith(-2 * ex, -2 * ey, -2 * ez, scratch.moment, out), from, to);
     }
 
-    /** out = min(a b, b c, c a) */
-    private record LeastProduct(double[] a, double[] b, double[] c, double[] out) implements Pass {
+    /** out = min(max(a, b, c), max(-a, -b, -c)) */
+    private record Contradiction(double[] a, double[] b, double[] c, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
+                out[i] = Math.min(Math.max(a[i], Math.max(b[i], c[i])), -Math.min(a[i], Math.min(b[i], c[i])));
             }
         }
     }
@@ -229,10 +228,10 @@ final class Triangles extends BoundedSurfaces {
     /** By coordinates: the normal's error is 4u of the magnitudes that its products have, and may be none. */
     private double productsOfFar(int k, double x, double y, double z) {
         Vector a = mesh.corner(order[k], 0), e = mesh.corner(order[k], 1).minus(a), f = mesh.corner(order[k], 2).minus(a);
-        double magnitudes = Math.abs(x) * (Math.abs(e.y() * f.z()) + Math.abs(e.z() * f.y()))
-                + Math.abs(y) * (Math.abs(e.z() * f.x()) + Math.abs(e.x() * f.z()))
-                + Math.abs(z) * (Math.abs(e.x() * f.y()) + Math.abs(e.y() * f.x()));
-        return 2 * magnitudes / e.cross(f).length();
+        double length = e.cross(f).dot(new Vector(normals[3 * k], normals[3 * k + 1], normals[3 * k + 2])) / 2;
+        return Math.abs(x) * ((Math.abs(e.y() * f.z()) + Math.abs(e.z() * f.y())) / length)
+                + Math.abs(y) * ((Math.abs(e.z() * f.x()) + Math.abs(e.x() * f.z())) / length)
+                + Math.abs(z) * ((Math.abs(e.x() * f.y()) + Math.abs(e.y() * f.x())) / length);
     }
 
     /**

@@ -132,9 +132,165 @@ enum Families {
         int depth(Random random) {
             return 1 + random.nextInt(4);
         }
+    },
+
+    /** Rays that graze mirrors and floors by 1e-5 to 1e-11: what they hit is far off along them, and not across. */
+    GRAZING {
+        @Override
+        void view(Writer w) {
+            double slope = w.power(-11, -5), angle = w.unit() * 2 * Math.PI;
+            w.move("camera", new double[] {0, 0, 0});
+            w.add(new double[] {slope * Math.cos(angle), slope * Math.sin(angle), -1}).end(" 0 1 0 " + 30 * (1 + w.unit()));
+            w.text("directional 0 1 " + -w.power(-6, 0) + " .5 .5 .5");
+        }
+
+        @Override
+        void shapes(Writer w) {
+            w.text("specular .5 .4 .3");
+            w.line("plane", 1, 0, 0, -1, 0, 0);
+            w.line("plane", -1, 0, 0, 1, 0, 0);
+            w.material();
+            w.line("plane", 0, -1, 0, 0, 1, 0);
+            w.material();
+            w.line("plane", 0, 1 + w.random.nextInt(3), 0, 0, -1, 0);
+            w.line("sphere", 0, 0, -5, .25);
+        }
+
+        @Override
+        int depth(Random random) {
+            return 2 + random.nextInt(4);
+        }
+
+        @Override
+        boolean isMovable() {
+            return false;
+        }
+    },
+
+    /** A sphere 1e4 to 1e13 times as large as what stands on it, seen from close by. */
+    HUGE_SPHERE {
+        @Override
+        void shapes(Writer w) {
+            double radius = w.power(4, 13);
+            w.line("sphere", 0, -1 - radius, 0, radius);
+            for (int i = 0; i < 4; i++) {
+                w.material();
+                double r = .25 * (1 + w.random.nextInt(3));
+                w.line("sphere", w.within(2), r - 1, w.within(2), r);
+            }
+            w.triangle(new double[] {-1, -1, 0}, new double[] {1, -1, .5}, new double[] {0, 1, .25});
+        }
+
+        @Override
+        boolean isMovable() {
+            return false;
+        }
+    },
+
+    /** Planes through points 1e3 to 1e15 away, and triangles as large. */
+    FAR_POINTS {
+        @Override
+        void shapes(Writer w) {
+            double far = w.power(3, 15);
+            w.line("plane", w.whole(1) * far, -1, far, 0, 1, 0);
+            w.material();
+            w.line("plane", far, w.whole(1) * far, -4, 0, 0, 1);
+            for (int i = 0; i < 4; i++) {
+                w.material();
+                w.line("sphere", w.within(2), w.within(1), w.within(2), .2 + w.unit() / 2);
+            }
+            double wide = w.power(3, 9);
+            w.triangle(new double[] {-wide, -1, -2}, new double[] {wide, -1, -2}, new double[] {0, wide, -3});
+        }
+
+        @Override
+        boolean isMovable() {
+            return false;
+        }
+    },
+
+    /** A light on a sphere, at a corner, on an edge, on a plane: whatever touches it there is not in its way. */
+    LIGHT_ON_SURFACES {
+        @Override
+        void view(Writer w) {
+            super.view(w);
+            w.move("point", new double[] {0, 1, 0}).end(" .5 .45 .4");
+        }
+
+        @Override
+        void shapes(Writer w) {
+            w.line("plane", 0, -1, 0, 0, 1, 0);
+            double[][] spheres = {{0, 1.5, 0, .5}, {1, 1, 0, 1}, {0, .5, 0, .5}, {0, 1, -1, 1}};
+            double[][][] triangles = {{{0, 1, 0}, {1, 2, -1}, {-1, 2, -1}}, {{-1, 1, -1}, {0, 1, 1}, {1, 1, -1}},
+                {{-1, 0, 0}, {1, 2, 0}, {1, 2, 1}}};
+            for (int i = 0; i < 2; i++) {
+                w.material();
+                double[] s = spheres[w.random.nextInt(spheres.length)];
+                w.line("sphere", s[0], s[1], s[2], s[3]);
+                w.material();
+                double[][] t = triangles[w.random.nextInt(triangles.length)];
+                w.triangle(t[0], t[1], t[2]);
+            }
+            w.material();
+            w.line("plane", 0, 1, 0, 0, 1, 0);
+        }
+
+        @Override
+        boolean isMovable() {
+            return false;
+        }
+    },
+
+    /** Things of 1e-8 to 1e-2 on a globe among things of 1e3 to 1e7. */
+    MIXED_SCALES {
+        @Override
+        void shapes(Writer w) {
+            double small = w.power(-8, -2), large = w.power(3, 7);
+            w.line("sphere", 0, -1 - large, 0, large);
+            for (int i = 0; i < 3; i++) {
+                w.material();
+                w.line("sphere", small * w.within(2), small - 1, small * w.within(2), small * (.2 + w.unit()));
+                w.box(small * w.within(2), -1, small * w.within(2), small, small);
+                w.material();
+                w.box(large * w.within(2), -1, -large * (3 + i), large, large);
+            }
+            w.triangle(new double[] {-large, -1, -50}, new double[] {large, -1, -50}, new double[] {0, large, -60});
+        }
+
+        @Override
+        boolean isMovable() {
+            return false;
+        }
+    },
+
+    /** A sheet over a floor, 1e-4 to 1e-11 apart, and a ball on it. */
+    SHEETS {
+        @Override
+        void shapes(Writer w) {
+            double gap = w.power(-11, -4);
+            w.line("plane", 0, 0, 0, 0, 1, 0);
+            w.material();
+            double[] a = {-1, gap, -1}, b = {-1, gap, 1}, c = {1, gap, 1}, d = {1, gap, -1};
+            w.triangle(a, b, c);
+            w.material();
+            w.triangle(a, c, d);
+            w.line("sphere", 0, .5 + 2 * gap, 0, .5);
+            w.material();
+            w.line("plane", 0, -gap, 0, 0, 1, 0);
+        }
+
+        @Override
+        boolean isMovable() {
+            return false;
+        }
     };
 
     abstract void shapes(Writer w);
+
+    /** Whether doubles can tell its surfaces apart a million times its size from the origin. */
+    boolean isMovable() {
+        return true;
+    }
 
     int depth(Random random) {
         return 1 + random.nextInt(3);
@@ -142,11 +298,19 @@ enum Families {
 
     /** A scene of this family; lengths are multiplied by a factor and then everything is moved along each axis. */
     String scene(long seed, int width, int height, double scale, double offset) {
-        Writer w = new Writer(new Random(31 * seed + ordinal()), scale, offset);
-        boolean axis = this == LATTICE;
+        Writer w = new Writer(new Random(31 * seed + ordinal()), scale, isMovable() ? offset : 0);
         w.text("size " + width + " " + height);
         w.text("maxdepth " + depth(w.random));
         w.text("maxverts 1000");
+        view(w);
+        w.material();
+        shapes(w);
+        return w.toString();
+    }
+
+    /** The camera and lights. */
+    void view(Writer w) {
+        boolean axis = this == LATTICE;
         w.move("camera", axis ? new double[] {0, 0, 4} : new double[] {w.within(1), w.within(1), 6});
         w.add(axis ? new double[] {0, 0, 0} : w.point(.5)).end(" 0 1 0 " + (axis ? 90 : 30 + 40 * w.unit()));
         int lights = 1 + w.random.nextInt(3);
@@ -158,9 +322,6 @@ enum Families {
                 w.end(" .5 .45 .4");
             }
         }
-        w.material();
-        shapes(w);
-        return w.toString();
     }
 
     /** Writes commands, with every point scaled and moved. */
@@ -188,6 +349,11 @@ enum Families {
 
         double within(double half) {
             return half * (2 * random.nextDouble() - 1);
+        }
+
+        /** Of ten, between two exponents. */
+        double power(double least, double most) {
+            return Math.pow(10, least + (most - least) * random.nextDouble());
         }
 
         double gauss(double sigma) {

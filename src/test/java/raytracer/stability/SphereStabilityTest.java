@@ -1,5 +1,6 @@
 package raytracer.stability;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.exact.ExactKernels;
 import raytracer.scene.Vector;
+import raytracer.tracer.Pictures;
 import raytracer.tracer.Probe;
 
 @DisplayName("Spheres hold where the quadratic formula fails:")
@@ -48,6 +50,33 @@ class SphereStabilityTest {
         }
         assertEquals(0, ours, "wrong answers of the tracer");
         assertTrue(naive >= naiveAtLeast, naive + " wrong answers of the formula");
+    }
+
+    @ParameterizedTest(name = "a ground of radius {0} looks like a plane")
+    @ValueSource(strings = {"1e18", "1e40", "1e100", "1e150"})
+    void ground(String radius) throws Exception {
+        String scene = "size 64 48\ncamera 0 1 6 0 .5 0 0 1 0 40\ndirectional 1 1 1 .8 .8 .8\ndiffuse .8 .3 .3\n%s\n"
+                + "diffuse .3 .3 .8\nsphere 0 .6 0 .6\n";
+        double[] ball = Pictures.trace(String.format(scene, "sphere 0 -" + radius + " 0 " + radius));
+        double[] plane = Pictures.trace(String.format(scene, "plane 0 0 0 0 1 0"));
+        assertArrayEquals(plane, ball, 1e-15);
+    }
+
+    @Test
+    @DisplayName("what is around a scale of 1e-140 or 1e140 is the same picture, bit for bit")
+    void scales() throws Exception {
+        double[] picture = Pictures.trace(ballOnBall(0));
+        for (int exponent : new int[] {-465, -200, 200, 465}) {
+            assertArrayEquals(picture, Pictures.trace(ballOnBall(exponent)), "2^" + exponent);
+        }
+    }
+
+    private static String ballOnBall(int exponent) {
+        double s = Math.scalb(1.0, exponent);
+        return "size 32 24\nmaxdepth 3\ncamera 0 " + s + " " + 6 * s + " 0 " + s / 2 + " 0 0 1 0 40\npoint " + 3 * s + " "
+                + 5 * s + " " + 4 * s + " .9 .8 .7\ndiffuse .7 .3 .2\nspecular .3 .3 .3\nsphere 0 " + s + " 0 " + s
+                + "\nsphere " + s + " " + s / 4 + " " + s + " " + s / 4 + "\nmaxverts 3\nvertex " + -2 * s + " 0 " + -s
+                + "\nvertex " + s + " 0 " + -s + "\nvertex 0 " + 2 * s + " " + -s + "\ntri 0 1 2\nplane 0 0 0 0 1 0\n";
     }
 
     @ParameterizedTest(name = "huge and close, radius {0}: the formula's distance is off by {1} and more")

@@ -44,6 +44,23 @@ class SceneErrorTest {
                 of(HEAD + "shininess 1,5", 3, 11, "expected s of 'shininess' to be a decimal number, found '1,5'"),
                 of(HEAD + "shininess 1e999", 3, 11,
                         "expected s of 'shininess' to be within a double's range (1.8e308), found '1e999'"),
+                // Lengths of which squares overflow or are lost.
+                of(HEAD + "sphere 2e150 0 0 1", 3, 8, "expected x of 'sphere' to be from -1e150 to 1e150, found '2e150'"),
+                of(HEAD + "sphere 0 0 0 1e151", 3, 14, "expected r of 'sphere' to be from 1e-150 to 1e150, found '1e151'"),
+                of(HEAD + "sphere 0 0 0 6e-161", 3, 14,
+                        "expected r of 'sphere' to be from 1e-150 to 1e150, found '6e-161'"),
+                of(HEAD + "plane 0 -3e154 0 0 1 0", 3, 9,
+                        "expected y of 'plane' to be from -1e150 to 1e150, found '-3e154'"),
+                of(HEAD + "point 0 0 1e300 1 1 1", 3, 11,
+                        "expected z of 'point' to be from -1e150 to 1e150, found '1e300'"),
+                of(HEAD + "maxverts 1\nvertex 0 1e151 0", 4, 10,
+                        "expected y of 'vertex' to be from -1e150 to 1e150, found '1e151'"),
+                of(HEAD + "maxverts 3\nvertex 0 0 0\nvertex 1e-160 0 0\nvertex 0 1e-160 0\ntri 0 1 2", 7, 5,
+                        "expected the corners of 'tri' to be 1e-150 or more apart, or equal"),
+                of("size 4 3\ncamera 0 0 1e-160 0 0 0 0 1 0 45", 2, 8, "expected the eye (ex ey ez) and the point looked"
+                        + " at (ax ay az) of 'camera' to differ by 1e-150 or more"),
+                of("size 4 3\ncamera 0 0 1e154 0 0 0 0 1 0 45", 2, 12,
+                        "expected ez of 'camera' to be from -1e150 to 1e150, found '1e154'"),
                 // A number too many or too few.
                 of(HEAD + "diffuse .5 .4", 3, 9, "expected 3 numbers after 'diffuse' (r g b), found 2"),
                 of(HEAD + "diffuse", 3, 8, "expected 3 numbers after 'diffuse' (r g b), found 0"),
