@@ -65,7 +65,8 @@ public final class Figure {
         panels.add(panel);
     }
 
-    public void write(Path file) throws IOException {
+    /** The text of the SVG file. */
+    public String svg() {
         int rows = (panels.size() + columns - 1) / columns;
         int w = columns * width, h = HEAD + rows * height + FOOT;
         String size = "width='" + w + "' height='" + h + "'";
@@ -78,6 +79,10 @@ public final class Figure {
                     .append("</g>\n");
         }
         svg.append("<text class='foot' x='14' y='").append(h - 8).append("'>").append(foot).append("</text>\n</svg>\n");
-        Files.writeString(file, svg);
+        return svg.toString();
+    }
+
+    public void write(Path file) throws IOException {
+        Files.writeString(file, svg());
     }
 }

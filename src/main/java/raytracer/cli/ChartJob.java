@@ -1,9 +1,7 @@
 package raytracer.cli;
 
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -39,8 +37,8 @@ final class ChartJob {
 
     private final Scene scene;
     private final Options options;
-    private final PrintStream out;
-    private final PrintStream err;
+    private final Places places;
+    private final Terminal terminal;
     private final Tracer tracer;
     private final Stopwatch elapsed = new Stopwatch();
 
@@ -72,36 +70,40 @@ final class ChartJob {
         }
     }
 
-    ChartJob(Scene scene, Options options, PrintStream out, PrintStream err) {
+    ChartJob(Scene scene, Options options, Places places, Terminal terminal) {
         this.scene = scene;
         this.options = options;
-        this.out = out;
-        this.err = err;
+        this.places = places;
+        this.terminal = terminal;
         tracer = Tracer.compile(scene, options.threads());
     }
 
-    int run() throws IOException {
+    int run() throws IOException, UsageException {
         Path svg = Reason.path(options.chart());
-        Path folder = svg.toAbsolutePath().getParent();
-        if (!Files.isDirectory(folder)) {
-            throw new IOException("cannot write " + svg + ": there is no directory " + folder + "; make it first");
-        }
+        Path csv = svg.resolveSibling(Destination.baseName(svg, ".svg") + ".csv");
+        places.read(Reason.path(options.scenes().get(0)), "the scene");
+        places.write(svg, "the chart");
+        places.write(csv, "the chart's table");
+        OutputFile.require(svg);
+        OutputFile.require(csv);
         List<Setting> settings = ladder();
         double warm = warmUp(settings.get(0));
         Canvas[] halves = references(warm);
         Canvas reference = Canvas.mean(halves[0], halves[1]);
         double floor = halves[0].rmse(halves[1]) / 2;
         measure(settings, reference);
-        try {
-            draw(settings, floor, svg);
-            String name = svg.getFileName().toString();
-            Files.write(svg.resolveSibling(name.substring(0, name.length() - ".svg".length()) + ".csv"),
-                    table(settings, floor), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new IOException("cannot write " + svg + ": " + Reason.of(e), e);
-        }
-        out.println(sentence(settings));
+        write(svg, figure(settings, floor).svg());
+        write(csv, String.join("\n", table(settings, floor)) + "\n");
+        terminal.answer(sentence(settings));
         return Main.DONE;
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        try {
+            OutputFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+        } catch (IOException e) {
+            throw new IOException("cannot write " + file + ": " + Reason.of(e), e);
+        }
     }
 
     private List<Setting> ladder() {
@@ -123,9 +125,9 @@ final class ChartJob {
         Canvas canvas = new Canvas(scene.width(), scene.height());
         Renderer renderer = new Renderer(with, sampling, options.threads(),
                 Region.whole(scene.width(), scene.height()), canvas);
-        ProgressBar.during(renderer::render, err, options.quiet(), renderer::progress);
+        ProgressBar.during(renderer::render, terminal.err(), options.quiet(), renderer::progress);
         if (options.verbose()) {
-            err.printf(Locale.ROOT, "%.0f s: %s%n", elapsed.millis() / 1e3, what);
+            terminal.tell(String.format(Locale.ROOT, "%.0f s: %s", elapsed.millis() / 1e3, what));
         }
         return canvas;
     }
@@ -167,7 +169,7 @@ final class ChartJob {
         }
     }
 
-    private void draw(List<Setting> settings, double floor, Path svg) throws IOException {
+    private Figure figure(List<Setting> settings, double floor) {
         Panel panel = new Panel("", "milliseconds, " + options.threads() + " threads",
                 "RMSE of a range of [0, 1]", floor, "the reference's own error: below it nothing is known");
         panel.line(VISIBLE, "1/255: no visible difference below");
@@ -181,7 +183,7 @@ final class ChartJob {
         Figure figure = new Figure("Time against error: " + name + ", " + size,
                 sentence(settings).replace("<", "&lt;"), 1, 900, 500);
         figure.add(panel);
-        figure.write(svg);
+        return figure;
     }
 
     private static Setting cheapestInvisible(List<Setting> settings) {

@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import raytracer.image.PngFile;
-import raytracer.scene.Scene;
 
 /**
  * Where a picture goes.
@@ -16,45 +16,45 @@ import raytracer.scene.Scene;
  */
 record Destination(Path file, PrintStream standardOutput) {
 
-    /** As the options say, or else the scene. That is somebody else's: what it names stays in the working directory. */
-    static Destination of(Options options, Scene scene, PrintStream out) throws UsageException, IOException {
+    private static final String SUFFIX = ".png";
+
+    /** As the options say, or else the scene. */
+    static Destination of(Options options, String sceneOutput, PrintStream out) throws UsageException, IOException {
         if (Options.STANDARD.equals(options.output())) {
             return new Destination(null, out);
         }
-        if (options.output() != null) {
-            return new Destination(Reason.path(options.output()), out);
-        }
-        Path named = Reason.path(scene.output());
-        for (Path step : named) {
-            if (named.isAbsolute() || step.toString().equals("..")) {
-                throw new UsageException("expected 'output' to be inside the working directory, found '"
-                        + scene.output() + "'; -o FILE writes anywhere");
-            }
-        }
-        return new Destination(named, out);
+        return new Destination(
+                options.output() != null ? Reason.path(options.output()) : ofScene(sceneOutput), out);
     }
 
-    /** Sees to it that rendering is not in vain. */
-    void requireFolder() throws IOException {
-        if (file == null) {
-            return;
+    /** A scene may be somebody else's: what it names is a picture, and stays in the working directory. */
+    private static Path ofScene(String name) throws UsageException, IOException {
+        if (!name.equals(Terminal.harmless(name))) {
+            throw refused("without control characters", name);
         }
-        Path folder = file.toAbsolutePath().getParent();
-        if (folder == null || Files.isDirectory(file)) {
-            throw new IOException("cannot write " + file + ": it is a directory");
+        if (!name.toLowerCase(Locale.ROOT).endsWith(SUFFIX)) {
+            throw refused("to end in '" + SUFFIX + "'", name);
         }
-        if (!Files.isDirectory(folder)) {
-            throw new IOException("cannot write " + file + ": there is no directory " + folder + "; make it first");
+        Path file = Reason.path(name);
+        boolean leaves = file.getRoot() != null;
+        for (Path step : file) {
+            leaves |= step.toString().equals("..");
         }
-        if (!Files.exists(file) && !Files.isWritable(folder)) {
-            throw new IOException("cannot write " + file + ": no permission to make files in " + folder);
+        Path folder = OutputFile.folder(OutputFile.place(file));
+        if (leaves || Files.isDirectory(folder) && !folder.toRealPath().startsWith(Path.of(".").toRealPath())) {
+            throw refused("to be inside the working directory", name);
         }
+        return file;
+    }
+
+    private static UsageException refused(String expectation, String name) {
+        return new UsageException("expected 'output' " + expectation + ", found '" + name + "'; -o FILE writes anywhere");
     }
 
     void write(RenderedImage picture) throws IOException {
         try {
             if (file != null) {
-                PngFile.write(picture, file);
+                OutputFile.write(file, out -> PngFile.write(picture, out));
                 return;
             }
             PngFile.write(picture, new BufferedOutputStream(standardOutput));
@@ -66,14 +66,19 @@ record Destination(Path file, PrintStream standardOutput) {
         }
     }
 
-    /** The file that a picture of differences goes to: NAME-diff.png beside NAME.png. */
+    /** Where a picture of differences goes: NAME-diff.png beside NAME.png; null if there is no place beside it. */
     Path ofDifferences() {
-        if (file == null) {
-            return Path.of("difference.png");
-        }
+        return file == null ? Path.of("difference.png") : OutputFile.isDevice(file) ? null : ofDifferences(file);
+    }
+
+    static Path ofDifferences(Path picture) {
+        return picture.resolveSibling(baseName(picture, SUFFIX) + "-diff.png");
+    }
+
+    /** A file's name without a suffix, if it has that. */
+    static String baseName(Path file, String suffix) {
         String name = file.getFileName().toString();
-        int dot = name.toLowerCase(java.util.Locale.ROOT).endsWith(".png") ? name.length() - 4 : name.length();
-        return file.resolveSibling(name.substring(0, dot) + "-diff.png");
+        return name.toLowerCase(Locale.ROOT).endsWith(suffix) ? name.substring(0, name.length() - suffix.length()) : name;
     }
 
     @Override

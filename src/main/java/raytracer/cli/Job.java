@@ -1,9 +1,14 @@
 package raytracer.cli;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import raytracer.image.PictureFile;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.scene.Scene;
@@ -20,25 +25,49 @@ final class Job {
     private final String name;
     private final String file;
     private final Options options;
-    private final PrintStream out;
-    private final PrintStream err;
+    private final Places places;
+    private final Terminal terminal;
+    private boolean claimed;
 
-    Job(String file, Options options, PrintStream out, PrintStream err) {
+    Job(String file, Options options, Places places, Terminal terminal) {
         this.file = file;
         this.options = options;
-        this.out = out;
-        this.err = err;
+        this.places = places;
+        this.terminal = terminal;
         name = file.equals(Options.STANDARD) ? "<stdin>" : file;
+    }
+
+    /**
+     * Claims the files that will be read and written, for which the scene must be read; what else is wrong with it
+     * shows when it is run.
+     *
+     * @throws UsageException if one is taken
+     */
+    void claim() throws UsageException {
+        Destination destination = null;
+        try {
+            if (!isPicture()) {
+                destination = Destination.of(options, parse().scene().output(), terminal.out());
+            }
+        } catch (IOException | SceneException | UsageException e) {
+            return;
+        }
+        try {
+            claim(destination);
+        } catch (IOException e) {
+            // As above.
+        }
     }
 
     /** Does the job; returns the exit status. */
     int run() {
         try {
-            return parseAndRender();
+            return isPicture() ? comparePicture() : parseAndRender();
         } catch (SceneException e) {
-            e.errors().forEach(err::println);
+            e.errors().forEach(error -> terminal.tell(error.toString()));
             if (e.unlisted() > 0) {
-                err.println(name + ": " + e.unlisted() + (e.unlisted() == 1 ? " more error" : " more errors"));
+                terminal.tell(name + ": " + e.unlisted() + (e.unlisted() == 1 ? " more error" : " more errors")
+                        + (e.isCutShort() ? "; the rest was not read" : ""));
             }
             return Main.BAD_INPUT;
         } catch (UsageException e) {
@@ -50,12 +79,19 @@ final class Job {
                     + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use;"
                     + " 'java -Xmx4g -jar ...' allows 4 GB");
         } catch (RuntimeException | StackOverflowError e) {
-            return fail(Main.FAILED, "a fault in raytracer, please report it: " + e);
+            return fail(Main.FAILED, "a fault in raytracer, please report it"
+                    + (options.verbose() ? ": " + stackTrace(e) : " with what --verbose says: " + e));
         }
     }
 
+    private static String stackTrace(Throwable e) {
+        StringWriter trace = new StringWriter();
+        e.printStackTrace(new PrintWriter(trace));
+        return trace.toString();
+    }
+
     private int fail(int status, String message) {
-        err.println(name + ": " + message);
+        terminal.tell(name + ": " + message);
         return status;
     }
 
@@ -65,20 +101,23 @@ final class Job {
         Stats stats = new Stats(name, options.threads());
         stats.parseMillis = whole.millis();
         for (Diagnostic warning : parsed.warnings()) {
-            err.println(warning);
+            terminal.tell(warning.toString());
         }
         Scene scene = overridden(parsed.scene());
         Region region = region(scene);
-        Destination destination = Destination.of(options, scene, out);
+        Destination destination = Destination.of(options, scene.output(), terminal.out());
         if (options.check()) {
+            if (options.verbose()) {
+                terminal.tell(name + ": " + scene.width() + "x" + scene.height() + " " + destination + ", "
+                        + Stats.inWords(scene));
+            }
             return Main.DONE;
         }
         if (options.chart() != null) {
-            return new ChartJob(scene, options, out, err).run();
+            return new ChartJob(scene, options, places, terminal).run();
         }
-        destination.requireFolder();
-        Reference reference = options.reference() == null ? null
-                : Reference.read(options.reference(), options.tolerance(), region);
+        require(destination);
+        Reference reference = reference(region.width(), region.height(), destination);
         Picture picture = options.repeat() > 1 || reference != null
                 ? Picture.Whole.of(region.width(), region.height())
                 : new Picture.Streamed(region.width(), region.height(), destination);
@@ -86,32 +125,100 @@ final class Job {
         Stopwatch writing = new Stopwatch();
         picture.write(destination);
         stats.writeMillis = writing.millis();
-        if (options.stats() != null) {
-            writeStats(stats, scene);
-        }
         if (picture.undefinedPixels() > 0) {
             return fail(Main.FAILED, "a fault in raytracer, please report it: " + picture.undefinedPixels()
                     + " pixels have no colour");
         }
-        if (options.verbose()) {
-            err.print(stats.timesInWords());
+        tellHowItWent(scene, destination, region, stats, whole);
+        if (picture.isBlack() && options.region() == null && !parsed.isKnownToBeBlack()) {
+            terminal.tell(name + ": warning: the picture is black: " + BlackPicture.reason(parsed));
         }
-        if (!options.quiet()) {
-            err.println(destination + " " + region.width() + "x" + region.height() + " in "
-                    + tenths(whole.millis() / 1e3) + " s, " + tenths(stats.rays.total() / 1e6) + " Mrays");
-        }
-        if (reference == null) {
-            return Main.DONE;
-        }
-        // Standard output may hold the picture: then words about it go elsewhere.
-        return reference.compare(((Picture.Whole) picture).image().toBufferedImage(), destination,
-                destination.file() == null ? err : out);
+        int status = reference == null ? Main.DONE
+                : compare(reference, ((Picture.Whole) picture).image().toBufferedImage(), destination, stats);
+        writeStats(stats.json(scene));
+        return status;
     }
 
-    /** With one decimal; the library's formatter would take longer to load than a small picture to render. */
-    private static String tenths(double value) {
-        long tenths = Math.round(10 * value);
-        return tenths / 10 + "." + tenths % 10;
+    /** @param destination null if nothing is rendered */
+    private void claim(Destination destination) throws UsageException, IOException {
+        if (claimed) {
+            return;
+        }
+        claimed = true;
+        places.read(Reason.path(file), "the scene");
+        if (destination != null && destination.file() != null) {
+            places.write(destination.file(), "the picture");
+        }
+        if (options.reference() != null) {
+            places.read(Reference.of(options.reference(), Reason.path(file)), "the reference");
+            if (difference(destination) != null) {
+                places.write(difference(destination), "the difference picture");
+            }
+        }
+        if (options.stats() != null) {
+            places.write(Reason.path(options.stats()), "the statistics");
+        }
+    }
+
+    /** Where a picture of differences may go; null if nowhere. */
+    private Path difference(Destination destination) throws IOException {
+        return options.difference() != null ? Reason.path(options.difference())
+                : destination != null ? destination.ofDifferences() : Destination.ofDifferences(Reason.path(file));
+    }
+
+    /** Sees to it that rendering is not in vain. */
+    private void require(Destination destination) throws UsageException, IOException {
+        claim(destination);
+        if (destination != null && destination.file() != null) {
+            OutputFile.require(destination.file());
+        }
+        if (options.reference() != null && difference(destination) != null) {
+            OutputFile.require(difference(destination));
+        }
+        if (options.stats() != null) {
+            OutputFile.require(Reason.path(options.stats()));
+        }
+    }
+
+    private Reference reference(int width, int height, Destination destination) throws IOException {
+        return options.reference() == null ? null : Reference.read(Reference.of(options.reference(), Reason.path(file)),
+                width, height, options.tolerance(), difference(destination));
+    }
+
+    private int compare(Reference reference, BufferedImage actual, Destination destination, Stats stats)
+            throws IOException {
+        Reference.Verdict verdict = reference.compare(actual);
+        stats.compared(reference, verdict);
+        String words = (options.scenes().size() > 1 ? name + ": " : "") + verdict.words();
+        // Standard output may hold the picture: then words about it go elsewhere.
+        if (destination != null && destination.file() == null) {
+            terminal.tell(words);
+        } else {
+            terminal.answer(words);
+        }
+        return verdict.status();
+    }
+
+    /** Whether the scene is no scene but a picture, which is only to be compared. */
+    private boolean isPicture() throws IOException {
+        if (options.reference() == null || file.equals(Options.STANDARD) || !Files.isRegularFile(Reason.path(file))) {
+            return false;
+        }
+        try (InputStream in = Files.newInputStream(Reason.path(file))) {
+            return PictureFile.isPng(in.readNBytes(8));
+        }
+    }
+
+    private int comparePicture() throws UsageException, IOException {
+        require(null);
+        Path subject = Reason.path(file);
+        try (InputStream in = Files.newInputStream(subject); PictureFile picture = PictureFile.open(in)) {
+            Reference reference = reference(picture.width(), picture.height(), null);
+            Stats stats = new Stats(name, options.threads());
+            int status = compare(reference, picture.read(), null, stats);
+            writeStats(stats.json(picture.width(), picture.height()));
+            return status;
+        }
     }
 
     private ParsedScene parse() throws SceneException, IOException {
@@ -126,7 +233,7 @@ final class Job {
                 return SceneParser.parse(name, in);
             }
         } catch (IOException e) {
-            throw new IOException("cannot read the scene: " + Reason.of(e), e);
+            throw new IOException("cannot read the scene: " + Reason.of(e) + Reason.ofEncoding(file), e);
         }
     }
 
@@ -154,20 +261,33 @@ final class Job {
         Tracer tracer = Tracer.compile(scene, options.threads());
         stats.buildMillis = building.millis();
         if (options.verbose()) {
-            err.print(stats.sceneInWords(scene, tracer));
+            terminal.tell(stats.sceneInWords(scene, tracer));
         }
         for (int i = 0; i < options.repeat(); i++) {
             Stopwatch rendering = new Stopwatch();
             Renderer renderer = new Renderer(tracer, options.sampling(), options.threads(), region, picture.sink());
-            stats.rays = ProgressBar.during(renderer::render, err, options.quiet(), renderer::progress);
+            stats.rays = ProgressBar.during(renderer::render, terminal.err(), options.quiet(), renderer::progress);
             stats.renderMillis.add(rendering.millis());
         }
         return stats.rays;
     }
 
-    private void writeStats(Stats stats, Scene scene) throws IOException {
+    private void tellHowItWent(Scene scene, Destination destination, Region region, Stats stats, Stopwatch whole) {
+        if (options.verbose()) {
+            terminal.tell(stats.timesInWords());
+        }
+        if (!options.quiet()) {
+            terminal.tell(destination + " " + region.width() + "x" + region.height() + " in "
+                    + Stats.tenths(whole.millis() / 1e3) + " s, " + stats.raysInWords());
+        }
+    }
+
+    private void writeStats(String json) throws IOException {
+        if (options.stats() == null) {
+            return;
+        }
         try {
-            Files.writeString(Reason.path(options.stats()), stats.json(scene));
+            OutputFile.write(Reason.path(options.stats()), out -> out.write(json.getBytes(StandardCharsets.UTF_8)));
         } catch (IOException e) {
             throw new IOException("cannot write " + options.stats() + ": " + Reason.of(e), e);
         }

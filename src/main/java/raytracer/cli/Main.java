@@ -1,6 +1,8 @@
 package raytracer.cli;
 
 import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 
 /** The command line. Only this package prints, and only here does the program exit. */
@@ -19,29 +21,28 @@ public final class Main {
     static final int DIFFERS = 3;
 
     private static final String HELP = """
-            usage: raytracer [options] SCENE...
-            Renders scene files to PNG pictures. SCENE may be - for standard input.
-
-              -o, --output FILE     write here instead of the scene's 'output'; - for standard output
+            usage: raytracer [options] SCENE...       SCENE may be - for standard input
+              -o, --output FILE     write here, not to the scene's 'output'; - for stdout
                   --size WxH        override the scene's size
                   --maxdepth N      override the scene's maxdepth
-                  --samples N       N x N samples a pixel (1 to 64; 1 is the reference picture)
-                  --samples auto:E  as many as an error of E takes; E is 1/255 if left out
+                  --samples N       N x N samples a pixel, 1 to 64; 1 is the reference
+                  --samples auto:E  as many as an error of E takes; 1/255 if left out
                   --region X,Y,W,H  render only this part of the picture
                   --threads N       use N threads instead of one per core
-                  --compare FILE    compare with this picture; NAME-diff.png shows where they differ
-                  --tolerance N     by how much components may differ, 0 to 255 (with --compare)
-                  --chart FILE.svg  instead of a picture, chart time against error for this scene
+                  --compare FILE    compare with this picture; SCENE may be a picture too
+                  --compare FOLDER  compare each SCENE with NAME.png in there
+                  --diff FILE       show differences here; else beside, in NAME-diff.png
+                  --tolerance N     by how much components may differ, 0 to 255
+                  --chart FILE.svg  chart time against error for this scene; no picture
                   --chart-seconds N how long to measure for it, about (60)
                   --quiet           no progress and no summary; errors and warnings stay
-                  --verbose         tell what was parsed and built, and how fast it went
+                  --verbose         tell what was read and built, and how fast it went
                   --repeat N        render N times in this process, write once
                   --stats FILE      write figures as JSON
                   --check           parse and validate only, write nothing
-              -h, --help            this text
-                  --version         the version
+              -h, --help; --version this text; the version
 
-            exit status: 0 done, 2 bad usage or bad scene, 3 differs by more than the tolerance, 1 anything else
+            exit status: 0 done, 1 failed, 2 bad usage or scene, 3 pictures differ
             """;
 
     private Main() { }
@@ -58,7 +59,7 @@ public final class Main {
         try {
             options = Options.parse(args);
         } catch (UsageException e) {
-            err.println("raytracer: " + e.getMessage());
+            new Terminal(out, err).tell("raytracer: " + e.getMessage());
             return BAD_INPUT;
         }
         if (options.help()) {
@@ -73,9 +74,28 @@ public final class Main {
         if (!options.check() && options.chart() == null) {
             Picture.loadEncoder();
         }
-        int status = DONE;
+        return run(options, new Terminal(out, err));
+    }
+
+    private static int run(Options options, Terminal terminal) {
+        Places places = new Places();
+        List<Job> jobs = new ArrayList<>();
         for (String scene : options.scenes()) {
-            status = Math.max(status, new Job(scene, options, out, err).run());
+            jobs.add(new Job(scene, options, places, terminal));
+        }
+        try {
+            if (jobs.size() > 1 && !options.check()) {
+                for (Job job : jobs) {
+                    job.claim();
+                }
+            }
+        } catch (UsageException e) {
+            terminal.tell("raytracer: " + e.getMessage());
+            return BAD_INPUT;
+        }
+        int status = DONE;
+        for (Job job : jobs) {
+            status = Math.max(status, job.run());
         }
         return status;
     }

@@ -1,5 +1,6 @@
 package raytracer.cli;
 
+import java.io.File;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
@@ -16,12 +17,13 @@ import raytracer.render.Sampling;
  * @param maxDepth  0 if the scene decides
  * @param region    null for the whole picture
  * @param reference null if there is nothing to compare with
+ * @param difference null for the usual place
  * @param tolerance by how much components may differ from the reference, of 255
  * @param chart     null if none is wanted
  * @param stats     null if none are wanted
  */
 record Options(List<String> scenes, String output, int width, int height, int maxDepth, Sampling sampling,
-        Region region, int threads, boolean quiet, boolean verbose, int repeat, String reference, int tolerance,
+        Region region, int threads, boolean quiet, boolean verbose, int repeat, String reference, String difference, int tolerance,
         String chart, int chartSeconds, String stats, boolean check, boolean help, boolean version) {
 
     /** In place of a file's name: standard input or output. */
@@ -55,6 +57,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
         private boolean verbose;
         private int repeat = 1;
         private String reference;
+        private String difference;
         private int tolerance = -1;
         private String chart;
         private int chartSeconds;
@@ -84,7 +87,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
                 requireSense();
             }
             return new Options(List.copyOf(scenes), output, width, height, maxDepth, sampling, region, threads, quiet,
-                    verbose, repeat, reference, Math.max(tolerance, 0), chart, chartSeconds == 0 ? 60 : chartSeconds,
+                    verbose, repeat, reference, difference, Math.max(tolerance, 0), chart, chartSeconds == 0 ? 60 : chartSeconds,
                     stats, check, help, version);
         }
 
@@ -92,16 +95,23 @@ record Options(List<String> scenes, String output, int width, int height, int ma
             if (scenes.isEmpty()) {
                 throw new UsageException("expected a scene file, found none; see --help");
             }
-            String alone = output != null ? "--output" : stats != null ? "--stats" : reference != null ? "--compare"
-                    : chart != null ? "--chart" : null;
+            String alone = output != null ? "--output" : stats != null ? "--stats" : difference != null ? "--diff"
+                    : chart != null ? "--chart" : isFile(reference) ? "--compare with a file (not a folder)" : null;
             if (scenes.size() > 1 && alone != null) {
                 throw new UsageException(alone + " goes with one scene, found " + scenes.size());
             }
         }
 
+        private static boolean isFile(String reference) {
+            return reference != null && !new File(reference).isDirectory();
+        }
+
         private void requireSense() throws UsageException {
             if (tolerance >= 0 && reference == null) {
                 throw new UsageException("--tolerance goes with --compare, found none");
+            }
+            if (difference != null && reference == null) {
+                throw new UsageException("--diff goes with --compare, found none");
             }
             if (chartSeconds > 0 && chart == null) {
                 throw new UsageException("--chart-seconds goes with --chart, found none");
@@ -133,6 +143,7 @@ record Options(List<String> scenes, String output, int width, int height, int ma
                 case "--threads" -> threads = whole(name, value(name, attached), 1, MOST_THREADS);
                 case "--repeat" -> repeat = whole(name, value(name, attached), 1, Integer.MAX_VALUE);
                 case "--compare" -> reference = value(name, attached);
+                case "--diff" -> difference = value(name, attached);
                 case "--tolerance" -> tolerance = whole(name, value(name, attached), 0, 255);
                 case "--chart" -> chart = value(name, attached);
                 case "--chart-seconds" -> chartSeconds = whole(name, value(name, attached), 1, MOST_SECONDS);

@@ -28,6 +28,8 @@ sealed interface Picture {
 
     long undefinedPixels();
 
+    boolean isBlack();
+
     /** Lets the encoder load while the picture is rendered: a third of a second when a program has just started. */
     static void loadEncoder() {
         Thread thread = new Thread(PngFile::prepare, "encoder");
@@ -70,6 +72,11 @@ sealed interface Picture {
         public long undefinedPixels() {
             return image.undefinedPixels();
         }
+
+        @Override
+        public boolean isBlack() {
+            return image.isBlack();
+        }
     }
 
     /** One that is never in memory as a whole. */
@@ -111,6 +118,9 @@ sealed interface Picture {
                 if (e.getCause() instanceof IOException cannotWrite) {
                     throw cannotWrite;
                 }
+                if (e.getCause() instanceof OutOfMemoryError noMemory) {
+                    throw noMemory;
+                }
                 rows.fail(new IllegalStateException("the picture cannot be rendered", e));
                 throw e;
             }
@@ -137,6 +147,11 @@ sealed interface Picture {
         @Override
         public long undefinedPixels() {
             return rows.undefinedPixels();
+        }
+
+        @Override
+        public boolean isBlack() {
+            return rows.isBlack();
         }
     }
 }

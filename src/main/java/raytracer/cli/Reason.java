@@ -29,12 +29,22 @@ final class Reason {
         return e.getMessage() == null ? e.toString() : e.getMessage();
     }
 
+    /**
+     * What helps if a name or the working directory has characters that Java cannot express in this locale; else
+     * nothing.
+     */
+    static String ofEncoding(String name) {
+        String names = name + System.getProperty("user.dir");
+        boolean lost = names.chars().anyMatch(c -> c == '\uFFFD' || c == '?');
+        return lost ? "; Java cannot express its name or its folder's in this locale: run it with LC_ALL=C.UTF-8" : "";
+    }
+
     /** A file by its name. */
     static Path path(String name) throws IOException {
         try {
             return Path.of(name);
         } catch (InvalidPathException e) {
-            throw new IOException("not a file name: " + e.getReason(), e);
+            throw new IOException("not a file name: " + e.getReason() + ofEncoding(name), e);
         }
     }
 }

@@ -2,60 +2,89 @@ package raytracer.cli;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.PrintStream;
+import java.io.InputStream;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
-import javax.imageio.ImageIO;
 import raytracer.image.Comparison;
+import raytracer.image.PictureFile;
 import raytracer.image.PngFile;
-import raytracer.render.Region;
 
-/** The picture that a rendering is compared with. */
-record Reference(String file, BufferedImage picture, int tolerance) {
+/**
+ * A picture that another is compared with.
+ *
+ * @param file       where it is
+ * @param picture    null if it has another size
+ * @param difference where a picture of the differences goes; null if nowhere
+ */
+record Reference(Path file, int width, int height, BufferedImage picture, int tolerance, Path difference) {
 
-    static Reference read(String file, int tolerance, Region region) throws IOException, UsageException {
-        BufferedImage picture;
-        try {
-            if (!Files.exists(Reason.path(file))) {
-                throw new NoSuchFileException(file);
-            }
-            picture = ImageIO.read(Reason.path(file).toFile());
-        } catch (IOException e) {
-            throw new IOException("cannot read the reference " + file + ": " + Reason.of(e), e);
+    /**
+     * What came of it.
+     *
+     * @param comparison null if the sizes differ
+     */
+    record Verdict(String words, int status, Comparison comparison) { }
+
+    /**
+     * Where the reference of a scene or picture is: what --compare names, or in that folder NAME.png.
+     *
+     * @param named what --compare names
+     */
+    static Path of(String named, Path subject) throws IOException {
+        Path place = Reason.path(named);
+        if (!Files.isDirectory(place)) {
+            return place;
         }
-        if (picture == null) {
-            throw new IOException("cannot read the reference " + file
-                    + ": it is no PNG, nor another kind that Java reads");
-        }
-        if (picture.getWidth() != region.width() || picture.getHeight() != region.height()) {
-            throw new UsageException("expected the reference " + file + " to be " + region.width() + "x"
-                    + region.height() + " as the picture, found " + picture.getWidth() + "x" + picture.getHeight());
-        }
-        return new Reference(file, picture, tolerance);
+        String name = Destination.baseName(subject, ".png");
+        return place.resolve((name.endsWith(".scene") ? name.substring(0, name.length() - 6) : name) + ".png");
     }
 
-    /** Says how a picture differs, and shows where in a picture of its own; returns the exit status. */
-    int compare(BufferedImage actual, Destination destination, PrintStream words) throws IOException {
+    /** @param width of the picture that is compared; pixels of another size are not read */
+    static Reference read(Path file, int width, int height, int tolerance, Path difference) throws IOException {
+        try (InputStream in = Files.newInputStream(file); PictureFile picture = PictureFile.open(in)) {
+            if (picture == null) {
+                throw new IOException("it is no PNG, nor another kind that Java reads");
+            }
+            int w = picture.width(), h = picture.height();
+            boolean sameSize = w == width && h == height;
+            return new Reference(file, w, h, sameSize ? picture.read() : null, tolerance, difference);
+        } catch (IOException e) {
+            throw new IOException("cannot read the picture " + file + ": " + Reason.of(e), e);
+        } catch (RuntimeException e) {
+            throw new IOException("cannot read the picture " + file + ": it is damaged", e);
+        }
+    }
+
+    /** Says how a picture differs, and shows where in a picture of its own. */
+    Verdict compare(BufferedImage actual) throws IOException {
+        if (picture == null) {
+            return new Verdict("differs from " + file + " in size: " + actual.getWidth() + "x" + actual.getHeight()
+                    + ", and that is " + width + "x" + height, Main.DIFFERS, null);
+        }
         Comparison c = Comparison.of(actual, picture, tolerance);
         if (c.pixels() == 0) {
-            words.println("equals " + file + " in every pixel");
-            return Main.DONE;
+            return new Verdict("equals " + file + " in every pixel", Main.DONE, c);
         }
-        Path difference = destination.ofDifferences();
-        words.printf(Locale.ROOT, "%d of %d pixels differ from %s, by at most %d of 255 at (%d, %d); RMSE %.4f of 255;"
-                        + " columns %d to %d, rows %d to %d; see %s%n",
-                c.pixels(), (long) actual.getWidth() * actual.getHeight(), file, c.greatest(), c.x(), c.y(), c.rmse(),
-                c.left(), c.right(), c.top(), c.bottom(), difference);
+        String words = String.format(Locale.ROOT, "%d of %d pixels differ from %s, by at most %d of 255 at (%d, %d);"
+                        + " RMSE %.4f of 255; columns %d to %d, rows %d to %d; ",
+                c.pixels(), (long) width * height, file, c.greatest(), c.x(), c.y(), c.rmse(), c.left(), c.right(),
+                c.top(), c.bottom());
+        if (tolerance > 0) {
+            words += (c.beyond() == 0 ? "none" : c.beyond()) + " by more than the tolerance of " + tolerance + "; ";
+        }
+        if (c.beyond() > 0 && difference != null) {
+            show(c.difference());
+            words += "see " + difference + "; ";
+        }
+        return new Verdict(words.substring(0, words.length() - 2), c.beyond() == 0 ? Main.DONE : Main.DIFFERS, c);
+    }
+
+    private void show(BufferedImage differences) throws IOException {
         try {
-            PngFile.write(c.difference(), difference);
+            OutputFile.write(difference, out -> PngFile.write(differences, out));
         } catch (IOException e) {
             throw new IOException("cannot write " + difference + ": " + Reason.of(e), e);
         }
-        if (c.beyond() == 0) {
-            words.println("none by more than the tolerance of " + tolerance);
-        }
-        return c.beyond() == 0 ? Main.DONE : Main.DIFFERS;
     }
 }

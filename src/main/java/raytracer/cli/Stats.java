@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import raytracer.image.Comparison;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.tracer.RayCounts;
@@ -21,10 +22,28 @@ final class Stats {
     final List<Double> renderMillis = new ArrayList<>();
     double writeMillis;
     RayCounts rays = RayCounts.ZERO;
+    private String compared = "";
 
     Stats(String file, int threads) {
         this.file = file;
         this.threads = threads;
+    }
+
+    /** Takes in how the picture compares. */
+    void compared(Reference reference, Reference.Verdict verdict) {
+        Comparison c = verdict.comparison();
+        String figures = c == null
+                ? "\"differing\": null, \"beyond\": null, \"most\": null, \"rmse\": null, \"x\": null, \"y\": null"
+                : String.format(Locale.ROOT,
+                        "\"differing\": %d, \"beyond\": %d, \"most\": %d, \"rmse\": %.4f, \"x\": %d, \"y\": %d",
+                        c.pixels(), c.beyond(), c.greatest(), c.rmse(), c.x(), c.y());
+        compared = ",\n  \"compare\": {\"reference\": " + quoted(reference.file().toString()) + ", " + figures + "}";
+    }
+
+    /** Of two pictures that were compared. */
+    String json(int width, int height) {
+        return String.format(Locale.ROOT, "{\n  \"scene\": %s,\n  \"width\": %d,\n  \"height\": %d%s\n}\n",
+                quoted(file), width, height, compared);
     }
 
     String json(Scene scene) {
@@ -43,27 +62,52 @@ final class Stats {
                   "triangles": %d,
                   "spheres": %d,
                   "planes": %d,
-                  "lights": %d
+                  "lights": %d%s
                 }
                 """, quoted(file), scene.width(), scene.height(), threads, millis(parseMillis), millis(buildMillis),
                 repeats, millis(writeMillis), rays.primary(), rays.shadow(), rays.reflection(),
                 scene.mesh().triangles(), count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class),
-                scene.lights().size());
+                scene.lights().size(), compared);
+    }
+
+    /** What a scene holds. */
+    static String inWords(Scene scene) {
+        return counted(count(scene, Shape.Sphere.class), "sphere") + ", "
+                + counted(count(scene, Shape.Plane.class), "plane") + ", "
+                + counted(scene.mesh().triangles(), "triangle") + ", " + counted(scene.lights().size(), "light")
+                + ", maxdepth " + scene.maxDepth();
+    }
+
+    private static String counted(long count, String thing) {
+        return count + " " + thing + (count == 1 ? "" : "s");
     }
 
     /** What was parsed and built. */
     String sceneInWords(Scene scene, Tracer tracer) {
-        StringBuilder words = new StringBuilder(String.format(Locale.ROOT,
-                "parsed in %.0f ms: %d spheres, %d planes, %d triangles, %d lights, maxdepth %d%n", parseMillis,
-                count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class), scene.mesh().triangles(),
-                scene.lights().size(), scene.maxDepth()));
+        StringBuilder words = new StringBuilder(
+                String.format(Locale.ROOT, "parsed in %.0f ms: %s%n", parseMillis, inWords(scene)));
         for (TreeFacts tree : tracer.trees()) {
-            words.append(String.format(Locale.ROOT,
-                    "tree of %d %s: %d nodes, depth %d, %.1f MB; %d more are too wide for it%n", tree.things(),
-                    tree.kind(), tree.nodes(), tree.depth(), tree.bytes() / 1e6, tree.beside()));
+            if (tree.things() > 0) {
+                words.append(String.format(Locale.ROOT, "tree of %d %s: %s, depth %d, %.1f MB%n", tree.things(),
+                        tree.kind(), counted(tree.nodes(), "node"), tree.depth(), tree.bytes() / 1e6));
+            }
+            if (tree.beside() > 0) {
+                words.append(String.format(Locale.ROOT, "%d %s too wide for a tree%n", tree.beside(), tree.kind()));
+            }
         }
-        words.append(String.format(Locale.ROOT, "built in %.0f ms, %d threads%n", buildMillis, threads));
-        return words.toString();
+        return words.append(String.format(Locale.ROOT, "built in %.0f ms, %s", buildMillis, counted(threads, "thread")))
+                .toString();
+    }
+
+    /** How many rays were traced; of few, the exact number. */
+    String raysInWords() {
+        return rays.total() < 100_000 ? counted(rays.total(), "ray") : tenths(rays.total() / 1e6) + " Mrays";
+    }
+
+    /** With one decimal; the library's formatter would take longer to load than a small picture to render. */
+    static String tenths(double value) {
+        long tenths = Math.round(10 * value);
+        return tenths / 10 + "." + tenths % 10;
     }
 
     /** How fast it went. */
@@ -72,7 +116,7 @@ final class Stats {
         Runtime java = Runtime.getRuntime();
         return String.format(Locale.ROOT,
                 "traced in %.0f ms: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
-                        + "written %.0f ms later; %d MB of memory in use, %d MB allowed%n",
+                        + "written %.0f ms later; %d MB of memory in use, %d MB allowed",
                 seconds * 1e3, rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6,
                 writeMillis, java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
     }

@@ -10,17 +10,13 @@ import java.awt.image.BufferedImage;
  * @param greatest   the greatest difference of a component, of 255, at the pixel {@code (x, y)}
  * @param rmse       the root of the mean square of all components' differences, of 255
  * @param left       the box around the pixels that differ: {@code left <= x <= right}, {@code top <= y <= bottom}
- * @param difference where they are alike, the picture, dimmed; where not, the difference, amplified
+ * @param difference where they differ beyond the tolerance
  */
 public record Comparison(long pixels, long beyond, int greatest, int x, int y, double rmse,
         int left, int top, int right, int bottom, BufferedImage difference) {
 
-    /** Of what they are: the parts where pictures are alike. */
-    private static final int DIM = 4;
-
-    /** The least brightness of a pixel that differs, and by how much more each step of difference is seen. */
-    private static final int LEAST = 96;
-    private static final int AMPLIFIED = 16;
+    /** Around each pixel beyond the tolerance, so that a single one is found. */
+    private static final int HALO = 0x703000;
 
     /**
      * Compares pictures of the same size.
@@ -29,6 +25,7 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
      */
     public static Comparison of(BufferedImage actual, BufferedImage expected, int tolerance) {
         int w = actual.getWidth(), h = actual.getHeight();
+        int[] most = new int[w];
         BufferedImage difference = new BufferedImage(w, h, BufferedImage.TYPE_INT_RGB);
         long pixels = 0, beyond = 0, squares = 0;
         int greatest = 0, x = 0, y = 0, left = w, top = h, right = -1, bottom = -1;
@@ -36,17 +33,17 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
             for (int column = 0; column < w; column++) {
                 int a = actual.getRGB(column, row), b = expected.getRGB(column, row);
                 int red = distance(a >> 16, b >> 16), green = distance(a >> 8, b >> 8), blue = distance(a, b);
-                int most = Math.max(red, Math.max(green, blue));
+                most[column] = Math.max(red, Math.max(green, blue));
                 squares += red * red + green * green + blue * blue;
-                if (most == 0) {
+                if (difference.getRGB(column, row) << 8 == 0) {
                     difference.setRGB(column, row, dimmed(a));
+                }
+                if (most[column] == 0) {
                     continue;
                 }
-                difference.setRGB(column, row, seen(red) << 16 | seen(green) << 8 | seen(blue));
                 pixels++;
-                beyond += most > tolerance ? 1 : 0;
-                if (most > greatest) {
-                    greatest = most;
+                if (most[column] > greatest) {
+                    greatest = most[column];
                     x = column;
                     y = row;
                 }
@@ -55,6 +52,7 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
                 top = Math.min(top, row);
                 bottom = row;
             }
+            beyond += mark(difference, row, most, tolerance);
         }
         return new Comparison(pixels, beyond, greatest, x, y, Math.sqrt(squares / (3.0 * w * h)),
                 left, top, right, bottom, difference);
@@ -64,11 +62,37 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
         return Math.abs((a & 255) - (b & 255));
     }
 
-    private static int seen(int step) {
-        return step == 0 ? 0 : Math.min(255, LEAST + AMPLIFIED * step);
+    /** Grey, and dark: no colour of it is one of a mark. */
+    private static int dimmed(int rgb) {
+        return ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 12 * 0x010101;
     }
 
-    private static int dimmed(int rgb) {
-        return (rgb >> 16 & 255) / DIM << 16 | (rgb >> 8 & 255) / DIM << 8 | (rgb & 255) / DIM;
+    /** Marks the pixels of a row that differ by more than the tolerance; returns how many. */
+    private static long mark(BufferedImage difference, int row, int[] most, int tolerance) {
+        long count = 0;
+        for (int column = 0; column < most.length; column++) {
+            if (most[column] > tolerance) {
+                count++;
+                for (int y = Math.max(0, row - 1); y <= Math.min(difference.getHeight() - 1, row + 1); y++) {
+                    for (int x = Math.max(0, column - 1); x <= Math.min(most.length - 1, column + 1); x++) {
+                        if (!isMark(difference.getRGB(x, y))) {
+                            difference.setRGB(x, y, HALO);
+                        }
+                    }
+                }
+                difference.setRGB(column, row, shown(most[column]));
+            }
+        }
+        return count;
+    }
+
+    private static boolean isMark(int rgb) {
+        return (rgb >> 16 & 255) == 255;
+    }
+
+    /** From orange for a step of 256 to white. */
+    private static int shown(int steps) {
+        int v = Math.min(255, 8 * steps);
+        return 255 << 16 | 128 + v / 2 << 8 | v;
     }
 }

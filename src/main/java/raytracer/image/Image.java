@@ -61,6 +61,11 @@ public final class Image implements PixelSink {
         return quantiser.undefinedPixels();
     }
 
+    /** Whether all pixels are black, when all have been set. */
+    public boolean isBlack() {
+        return quantiser.isBlack();
+    }
+
     /** The same bytes as the standard library's picture. */
     public BufferedImage toBufferedImage() {
         return Rgb.picture(bytes, width, height);

@@ -12,6 +12,8 @@ final class Quantiser {
 
     private final int width;
     private final LongAdder undefined = new LongAdder();
+    /** Whether any byte is not 0: threads only ever set it. */
+    private boolean lit;
 
     Quantiser(int width) {
         this.width = width;
@@ -20,6 +22,11 @@ final class Quantiser {
     /** How many pixels were set that are no number. */
     long undefinedPixels() {
         return undefined.sum();
+    }
+
+    /** Whether all bytes that were set are 0; to be asked when the threads that set them have ended. */
+    boolean isBlack() {
+        return !lit;
     }
 
     /** Sets the pixels of a rectangle, given row by row; what is no number becomes 0 and is counted. */
@@ -35,16 +42,21 @@ final class Quantiser {
     }
 
     /** Returns how many of the row's pixels are no number. */
-    private static int setRow(
+    private int setRow(
             byte[] bytes, int to, int from, int count, double[] red, double[] green, double[] blue) {
         int notNumbers = 0;
+        int all = 0;
         int at = to;
         for (int i = from; i < from + count; i++) {
             bytes[at] = toByte(red[i]);
             bytes[at + 1] = toByte(green[i]);
             bytes[at + 2] = toByte(blue[i]);
+            all |= bytes[at] | bytes[at + 1] | bytes[at + 2];
             at += COMPONENTS;
             notNumbers += Double.isNaN(red[i] + green[i] + blue[i]) ? 1 : 0;
+        }
+        if (all != 0) {
+            lit = true;
         }
         return notNumbers;
     }

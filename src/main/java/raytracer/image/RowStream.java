@@ -88,6 +88,11 @@ public final class RowStream implements PixelSink, RenderedImage {
         return quantiser.undefinedPixels();
     }
 
+    /** Whether all pixels are black, when all have been set. */
+    public boolean isBlack() {
+        return quantiser.isBlack();
+    }
+
     /** Lets all who wait or will ask fail with this, as the other side has failed. */
     public synchronized void fail(RuntimeException reason) {
         if (failure == null) {

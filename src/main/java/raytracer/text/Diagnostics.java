@@ -2,13 +2,20 @@ package raytracer.text;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /** Collects what there is to say about a file, with its place and the text there. */
 final class Diagnostics {
 
     /** As many errors as a person wants to read at once. */
     static final int MOST_ERRORS = 20;
+
+    /** A file with more errors is none of ours. */
+    private static final int ENOUGH = 1000;
 
     /** In characters: what fits beside a terminal's margin. */
     private static final int LONGEST_EXCERPT = 100;
@@ -20,6 +27,21 @@ final class Diagnostics {
     private final List<Diagnostic> errors = new ArrayList<>();
     private final List<Diagnostic> warnings = new ArrayList<>();
     private long errorCount;
+
+    /** By word that is no command: what was said of it. */
+    private final Map<String, Unknown> unknown = new HashMap<>();
+
+    /** A word that is no command: what is said of it, where that is listed (negative if it is not), and how often. */
+    private static final class Unknown {
+        private final String advice;
+        private final int index;
+        private long lines = 1;
+
+        Unknown(String advice, int index) {
+            this.advice = advice;
+            this.index = index;
+        }
+    }
 
     Diagnostics(String file, LineReader reader) {
         this.file = file;
@@ -40,12 +62,40 @@ final class Diagnostics {
         }
     }
 
-    /** An error that shows only at the end of the file: what is missing from it. */
-    void errorAtEnd(String message) {
+    /** An error of the file as a whole: its place is the beginning. */
+    void errorOfFile(String message) {
         if (++errorCount <= MOST_ERRORS) {
-            int column = reader.number() == 0 ? 1 : 1 + characters(reader.start(), reader.end());
-            errors.add(new Diagnostic(file, Math.max(1, reader.number()), column, message, ""));
+            errors.add(new Diagnostic(file, 1, 1, message, ""));
         }
+    }
+
+    /** A word on the current line that is no command; one error, however often it comes. */
+    void unknownCommand(String word, int from, int to) {
+        Unknown known = unknown.get(word);
+        if (known != null) {
+            known.lines++;
+            return;
+        }
+        String hint = Hints.of(word);
+        String advice = hint != null ? "; " + hint : Command.suggestion(word);
+        int index = errors.size() < MOST_ERRORS ? errors.size() : -1;
+        unknown.put(word, new Unknown(advice, index));
+        error(from, to, "expected a command, found " + quote(from, to));
+    }
+
+    private void completeUnknown() {
+        for (Unknown u : unknown.values()) {
+            if (u.index >= 0) {
+                Diagnostic e = errors.get(u.index);
+                String often = u.lines == 1 ? "" : " (on " + u.lines + " lines)";
+                errors.set(u.index, new Diagnostic(e.file(), e.line(), e.column(), e.message() + often + u.advice, e.excerpt()));
+            }
+        }
+    }
+
+    /** Whether so much is wrong that reading on is no use. */
+    boolean isHopeless() {
+        return errorCount >= ENOUGH;
     }
 
     /** A warning about a line; 0 for the file as a whole. */
@@ -62,19 +112,29 @@ final class Diagnostics {
     }
 
     SceneException exception() {
-        return new SceneException(errors, errorCount - errors.size());
+        completeUnknown();
+        return new SceneException(errors, errorCount - errors.size(), isHopeless());
     }
 
-    /** Part of the buffer in quotes, fit to be shown: control characters replaced, and cut if it is long. */
+    /**
+     * Part of the buffer in quotes, fit to be shown: control characters replaced, and cut if it is long. Characters
+     * that may look like others, or like nothing, are numbered behind it.
+     */
     String quote(int from, int to) {
         String text = text(from, to);
         boolean whole = text.codePointCount(0, text.length()) <= LONGEST_QUOTE;
-        return "'" + (whole ? text : text.substring(0, text.offsetByCodePoints(0, LONGEST_QUOTE)) + "...") + "'";
+        String numbers = decoded(from, to).codePoints().filter(c -> c > 126 && c != 0xFFFD).distinct().limit(3)
+                .mapToObj(c -> String.format(Locale.ROOT, "U+%04X", c)).collect(Collectors.joining(", "));
+        return "'" + (whole ? text : text.substring(0, text.offsetByCodePoints(0, LONGEST_QUOTE)) + "...") + "'"
+                + (numbers.isEmpty() ? "" : " (with " + numbers + ")");
+    }
+
+    private String decoded(int from, int to) {
+        return new String(reader.buffer(), from, to - from, StandardCharsets.UTF_8);
     }
 
     private String text(int from, int to) {
-        String text = new String(reader.buffer(), from, to - from, StandardCharsets.UTF_8);
-        return text.replaceAll("[\\p{Cntrl}\\p{Cf}&&[^\t]]", "\uFFFD");
+        return decoded(from, to).replaceAll("[\\p{Cntrl}\\p{Cf}&&[^\t]]", "\uFFFD");
     }
 
     /** How many characters a part of the buffer holds: bytes that do not continue a UTF-8 sequence. */

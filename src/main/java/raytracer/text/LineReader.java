@@ -33,9 +33,9 @@ final class LineReader {
         start = next;
         int from = start;
         while (true) {
-            int feed = indexOfLineFeed(from);
-            if (feed >= 0) {
-                return settle(feed, feed + 1);
+            int at = indexOfLineEnd(from);
+            if (at >= 0) {
+                return settle(at - start);
             }
             int length = filled - start;
             if (length >= LONGEST_LINE) {
@@ -45,30 +45,35 @@ final class LineReader {
                 return false;
             }
             if (!fill()) {
-                if (length == 0) {
-                    return false;
-                }
-                buffer[filled] = '\n';
-                return settle(filled, filled);
+                end = filled;
+                return length > 0 && settle(length);
             }
             from = start + length;
         }
     }
 
-    private boolean settle(int lineEnd, int nextStart) {
-        end = lineEnd > start && buffer[lineEnd - 1] == '\r' ? lineEnd - 1 : lineEnd;
+    /** The line ends at a line feed, at a carriage return, or at both. */
+    private boolean settle(int length) throws IOException {
+        if (start + length + 1 == filled && buffer[start + length] == '\r') {
+            fill();
+        }
+        end = start + length;
+        next = Math.min(filled, end + 1);
+        if (next < filled && buffer[end] == '\r' && buffer[next] == '\n') {
+            next++;
+        }
         buffer[end] = '\n';
-        next = nextStart;
         if (++number == 1 && Arrays.equals(buffer, start, Math.min(start + 3, end), BYTE_ORDER_MARK, 0, 3)) {
             start += BYTE_ORDER_MARK.length;
         }
         return true;
     }
 
-    private int indexOfLineFeed(int from) {
+    /** Negative if there is none yet. */
+    private int indexOfLineEnd(int from) {
         byte[] bytes = buffer;
         for (int i = from; i < filled; i++) {
-            if (bytes[i] == '\n') {
+            if (bytes[i] == '\n' || bytes[i] == '\r') {
                 return i;
             }
         }

@@ -3,8 +3,15 @@ package raytracer.text;
 import java.util.List;
 import raytracer.scene.Scene;
 
-/** A valid scene, and what its author may not have meant. */
-public record ParsedScene(Scene scene, List<Diagnostic> warnings) {
+/**
+ * A valid scene, and what its author may not have meant.
+ *
+ * @param isKnownToBeBlack whether the warnings say that the picture will be black
+ * @param firstColourless  the line of the first shape that is declared before any ambient or diffuse colour; 0 if none is
+ * @param lastColourless   the line of the last
+ */
+public record ParsedScene(Scene scene, List<Diagnostic> warnings, boolean isKnownToBeBlack, long firstColourless,
+        long lastColourless) {
 
     public ParsedScene {
         warnings = List.copyOf(warnings);

@@ -9,11 +9,13 @@ public final class SceneException extends Exception {
 
     private final transient List<Diagnostic> errors;
     private final long unlisted;
+    private final boolean cutShort;
 
-    SceneException(List<Diagnostic> errors, long unlisted) {
+    SceneException(List<Diagnostic> errors, long unlisted, boolean cutShort) {
         super(errors.get(0).toString());
         this.errors = List.copyOf(errors);
         this.unlisted = unlisted;
+        this.cutShort = cutShort;
     }
 
     /** The first errors, in the order of the file; at least one. */
@@ -24,5 +26,10 @@ public final class SceneException extends Exception {
     /** How many errors the file has beyond those listed. */
     public long unlisted() {
         return unlisted;
+    }
+
+    /** Whether there were so many that the rest of the file was not read. */
+    public boolean isCutShort() {
+        return cutShort;
     }
 }

@@ -7,7 +7,9 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import raytracer.scene.Camera;
+import raytracer.scene.Colour;
 import raytracer.scene.Light;
+import raytracer.scene.Material;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
@@ -43,6 +45,11 @@ public final class SceneParser {
     private long emptyTriangles;
     private long firstEmptyTriangleLine;
 
+    // Whether any colour but black has been declared; the lines of the shapes before that.
+    private boolean anyColour;
+    private long firstColourless;
+    private long lastColourless;
+
     /**
      * Reads a whole scene.
      *
@@ -63,7 +70,10 @@ public final class SceneParser {
     }
 
     private ParsedScene parse() throws IOException, SceneException {
-        while (reader.advance()) {
+        while (!diagnostics.isHopeless() && reader.advance()) {
+            if (reader.number() == 1 && isNoText()) {
+                throw diagnostics.exception();
+            }
             if (line.firstWord()) {
                 command();
             }
@@ -71,7 +81,7 @@ public final class SceneParser {
         if (reader.tooLong()) {
             diagnostics.error(reader.start(), reader.start(),
                     "expected a line of at most " + LineReader.LONGEST_LINE + " bytes, found a longer one");
-        } else {
+        } else if (!diagnostics.isHopeless()) {
             require(Command.SIZE);
             require(Command.CAMERA);
         }
@@ -79,13 +89,26 @@ public final class SceneParser {
             throw diagnostics.exception();
         }
         Scene scene = new Scene(width, height, camera, maxDepth, lights, shapes.list(), shapes.mesh(), output);
-        warn(scene);
-        return new ParsedScene(scene, diagnostics.warnings());
+        boolean isKnownToBeBlack = warn(scene);
+        return new ParsedScene(
+                scene, diagnostics.warnings(), isKnownToBeBlack, firstColourless, firstColourless == 0 ? 0 : lastColourless);
+    }
+
+    /** Whether the file, of which this is the first line, is of a kind that is often taken for a scene. */
+    private boolean isNoText() {
+        byte[] b = reader.buffer();
+        int at = reader.start(), first = b[at] & 0xFF, second = b[at + 1] & 0xFF;
+        if (first == 0x89 && second == 'P') {
+            diagnostics.errorOfFile("expected a scene, found a PNG picture; -o FILE names the output");
+        } else if (first == 0xFF && second == 0xFE || first == 0xFE && second == 0xFF || first == 0 || second == 0) {
+            diagnostics.errorOfFile("expected UTF-8 text, found UTF-16; save the file as UTF-8");
+        }
+        return !diagnostics.clean();
     }
 
     private void require(Command command) {
         if (!lineOf.containsKey(command)) {
-            diagnostics.errorAtEnd("expected a '" + command.keyword() + " " + String.join(" ", command.operands())
+            diagnostics.errorOfFile("expected a '" + command.keyword() + " " + String.join(" ", command.operands())
                     + "' command in the file, found none");
         }
     }
@@ -93,8 +116,7 @@ public final class SceneParser {
     private void command() {
         Command command = Command.find(line);
         if (command == null) {
-            diagnostics.error(line.from(), line.to(), "expected a command, found "
-                    + diagnostics.quote(line.from(), line.to()) + Command.suggestion(line.word()));
+            diagnostics.unknownCommand(line.word(), line.from(), line.to());
             return;
         }
         try {
@@ -114,8 +136,8 @@ public final class SceneParser {
             case CAMERA -> camera(o);
             case OUTPUT -> output(o);
             case MAXDEPTH -> maxDepth(o);
-            case AMBIENT -> material.ambient(o.colour(0));
-            case DIFFUSE -> material.diffuse(o.colour(0));
+            case AMBIENT -> material.ambient(coloured(o.colour(0)));
+            case DIFFUSE -> material.diffuse(coloured(o.colour(0)));
             case SPECULAR -> material.specular(o.colour(0));
             case SHININESS -> material.shininess(o.number(0));
             case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
@@ -123,10 +145,24 @@ public final class SceneParser {
             case MAXVERTS -> maxVertices(o);
             case VERTEX -> vertex(o);
             case TRI -> triangle(o);
-            case SPHERE -> shapes.add(new Shape.Sphere(o.point(0), o.radius(3), material.current()));
-            case PLANE -> shapes.add(new Shape.Plane(o.point(0), o.direction(3), material.current()));
+            case SPHERE -> shapes.add(new Shape.Sphere(o.point(0), o.radius(3), materialHere()));
+            case PLANE -> shapes.add(new Shape.Plane(o.point(0), o.direction(3), materialHere()));
             default -> throw new IllegalStateException("there is no rule for " + command);
         }
+    }
+
+    private Colour coloured(Colour colour) {
+        anyColour |= !colour.isBlack();
+        return colour;
+    }
+
+    /** What a shape on this line is made of. */
+    private Material materialHere() {
+        if (!anyColour) {
+            firstColourless = firstColourless == 0 ? reader.number() : firstColourless;
+            lastColourless = reader.number();
+        }
+        return material.current();
     }
 
     /** Keeps one mistake from being reported again by every line that builds on it. */
@@ -191,17 +227,19 @@ public final class SceneParser {
 
     private void vertex(Operands o) throws Operands.Rejected {
         if (shapes.vertices() >= maxVertices) {
-            throw o.rejectCommand(lineOf.containsKey(Command.MAXVERTS)
-                    ? "expected at most " + maxVertices + " vertices ('maxverts' on line "
-                            + lineOf.get(Command.MAXVERTS) + "), found one more"
-                    : "expected 'maxverts' before the first 'vertex', found none");
+            if (!lineOf.containsKey(Command.MAXVERTS)) {
+                maxVertices = MOST;
+                throw o.rejectCommand("expected 'maxverts' before the first 'vertex', found none");
+            }
+            throw o.rejectCommand("expected at most " + maxVertices + " vertices ('maxverts' on line "
+                    + lineOf.get(Command.MAXVERTS) + "), found one more");
         }
         shapes.addVertex(o.coordinate(0), o.coordinate(1), o.coordinate(2));
     }
 
     private void triangle(Operands o) throws Operands.Rejected {
         int declared = shapes.vertices();
-        shapes.addTriangle(o.vertex(0, declared), o.vertex(1, declared), o.vertex(2, declared), material.current());
+        shapes.addTriangle(o.vertex(0, declared), o.vertex(1, declared), o.vertex(2, declared), materialHere());
         if (shapes.lastTriangleIsTooSmall()) {
             throw o.rejectAll(0, 2, "expected the corners of 'tri' to be 1e-150 or more apart, or equal");
         }
@@ -210,7 +248,8 @@ public final class SceneParser {
         }
     }
 
-    private void warn(Scene scene) {
+    /** Returns whether it warned of a black picture. */
+    private boolean warn(Scene scene) {
         if (emptyTriangles > 0) {
             diagnostics.warning(firstEmptyTriangleLine, emptyTriangles == 1
                     ? "this triangle has no area and is never seen"
@@ -224,5 +263,6 @@ public final class SceneParser {
         if (darkness != null) {
             diagnostics.warning(0, darkness + ": the picture is black");
         }
+        return darkness != null;
     }
 }

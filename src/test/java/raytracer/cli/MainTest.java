@@ -45,7 +45,7 @@ class MainTest extends CommandLine {
     void rendersToThePlaceItIsTold() throws IOException {
         assertEquals(0, run(scene, "-o", picture));
         assertEquals(8, ImageIO.read(Path.of(picture).toFile()).getWidth());
-        assertTrue(err().matches(".*a\\.png 8x6 in \\d+\\.\\d s, 0\\.0 Mrays\\R"), err());
+        assertTrue(err().matches(".*a\\.png 8x6 in \\d+\\.\\d s, 104 rays\\R"), err());
         assertEquals("", out.toString(StandardCharsets.UTF_8));
         assertEquals(List.of("a.png", "a.scene"), files());
     }
@@ -120,7 +120,7 @@ class MainTest extends CommandLine {
 
     @Test
     void showsEveryErrorOfASceneAndWritesNothing() throws IOException {
-        String bad = file("b.scene", SCENE + "sphere 0 0 0\nspher 1\n" + "cone\n".repeat(20));
+        String bad = file("b.scene", SCENE + "sphere 0 0 0\nspher 1\n" + "vertex 0\n".repeat(20));
         assertEquals(2, run(bad, "-o", picture));
         assertTrue(err().startsWith(bad + ":9:8: expected 4 numbers after 'sphere' (x y z r), found 3\n"
                 + "sphere 0 0 0\n       ^~~~~\n" + bad + ":10:1: expected a command, found 'spher'; did you mean"

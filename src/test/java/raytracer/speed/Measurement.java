@@ -92,7 +92,9 @@ final class Measurement {
             long builtAt = System.nanoTime();
             Rendering.of(tracer, CORES, image).render();
             long tracedAt = System.nanoTime();
-            PngFile.write(image.toBufferedImage(), picture);
+            try (var out = java.nio.file.Files.newOutputStream(picture)) {
+                PngFile.write(image.toBufferedImage(), out);
+            }
             long writtenAt = System.nanoTime();
             if (round >= 0) {
                 times[0][round] = (parsedAt - start) / 1e6;

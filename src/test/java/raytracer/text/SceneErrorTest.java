@@ -69,9 +69,21 @@ class SceneErrorTest {
                 // Keywords.
                 of(HEAD + "  spere 0 0 0 1", 3, 3, "expected a command, found 'spere'; did you mean 'sphere'?"),
                 of(HEAD + "Plane 0 0 0 0 0 1", 3, 1, "expected a command, found 'Plane'; did you mean 'plane'?"),
-                of(HEAD + "translate 1 2 3", 3, 1, "expected a command, found 'translate'"),
+                of(HEAD + "translate 1 2 3", 3, 1, "expected a command, found 'translate'; the format has no"
+                        + " transformations: write coordinates out"),
+                of(HEAD + "shadow true", 3, 1,
+                        "expected a command, found 'shadow'; shadows are always on: take the line out"),
+                of(HEAD + "emission 1 1 1", 3, 1, "expected a command, found 'emission'; add its colour to 'ambient'"),
+                of(HEAD + "cone 1\n".repeat(3), 3, 1, "expected a command, found 'cone' (on 3 lines)"),
+                of(HEAD + "sphere\u00A0 0 .6 0 .6", 3, 1,
+                        "expected a command, found 'sphere\u00A0' (with U+00A0); did you mean 'sphere'?"),
+                of(HEAD + "shininess \u22123", 3, 11,
+                        "expected s of 'shininess' to be a decimal number, found '\u22123' (with U+2212)"),
+                // Files of other kinds.
+                of("\u0000s\u0000i\u0000z", 1, 1, "expected UTF-8 text, found UTF-16; save the file as UTF-8"),
+                of("s\u0000i\u0000z\u0000", 1, 1, "expected UTF-8 text, found UTF-16; save the file as UTF-8"),
                 // size
-                of("camera 0 0 5 0 0 0 0 1 0 45", 1, 28, "expected a 'size w h' command in the file, found none"),
+                of("camera 0 0 5 0 0 0 0 1 0 45\n# and no more\n", 1, 1, "expected a 'size w h' command in the file, found none"),
                 of(HEAD + "size 4 3", 3, 1, "expected 'size' once, found it again (first on line 1)"),
                 of(HEAD.replace("4 3", "0 3"), 1, 6,
                         "expected w of 'size' to be a whole number from 1 to 2147483647, found '0'"),
@@ -82,7 +94,7 @@ class SceneErrorTest {
                 of(HEAD.replace("4 3", "4 3000000000"), 1, 8,
                         "expected h of 'size' to be a whole number from 1 to 2147483647, found '3000000000'"),
                 // camera
-                of("size 4 3", 1, 9,
+                of("size 4 3", 1, 1,
                         "expected a 'camera ex ey ez ax ay az ux uy uz fov' command in the file, found none"),
                 of(HEAD + "camera 0 0 5 0 0 0 0 1 0 45", 3, 1,
                         "expected 'camera' once, found it again (first on line 2)"),
@@ -137,7 +149,8 @@ class SceneErrorTest {
                 of(HEAD + "sphere 0 0 0 -1", 3, 14, "expected r of 'sphere' to be more than 0, found '-1'"),
                 of(HEAD + "plane 0 0 0 0 0 0", 3, 13, "expected nx ny nz of 'plane' to have a length, found 0 0 0"),
                 // Columns count characters, not bytes.
-                of(HEAD + "\u00E4\u4E2D 1", 3, 1, "expected a command, found '\u00E4\u4E2D'"),
+                of(HEAD + "\u00E4\u4E2D 1", 3, 1,
+                        "expected a command, found '\u00E4\u4E2D' (with U+00E4, U+4E2D)"),
                 of("\uFEFFsize 4 x", 1, 8, "expected h of 'size' to be a decimal number, found 'x'"));
     }
 

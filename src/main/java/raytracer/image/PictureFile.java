@@ -1,0 +1,98 @@
+package raytracer.image;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+
+/**
+ * A picture that is there already, of any kind that the library reads. Its size is known before its pixels are read;
+ * these are its samples as they stand, in 8 bits: the library's own conversion of grey would make it brighter.
+ */
+public final class PictureFile implements Closeable {
+
+    private static final byte[] PNG_SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+
+    private final ImageInputStream stream;
+    private final ImageReader reader;
+
+    private PictureFile(ImageInputStream stream, ImageReader reader) {
+        this.stream = stream;
+        this.reader = reader;
+    }
+
+    /** Whether a file that begins with these bytes is a PNG. */
+    public static boolean isPng(byte[] beginning) {
+        return beginning.length >= PNG_SIGNATURE.length
+                && java.util.Arrays.equals(beginning, 0, PNG_SIGNATURE.length, PNG_SIGNATURE, 0, PNG_SIGNATURE.length);
+    }
+
+    /**
+     * Opens a picture.
+     *
+     * @param in read as far as needed; not closed
+     * @return null if it is none that the library reads
+     */
+    public static PictureFile open(InputStream in) throws IOException {
+        ImageInputStream stream = new MemoryCacheImageInputStream(in);
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
+        if (!readers.hasNext()) {
+            stream.close();
+            return null;
+        }
+        ImageReader reader = readers.next();
+        reader.setInput(stream, true, true);
+        return new PictureFile(stream, reader);
+    }
+
+    public int width() throws IOException {
+        return reader.getWidth(0);
+    }
+
+    public int height() throws IOException {
+        return reader.getHeight(0);
+    }
+
+    /** The pixels, as 0xRRGGBB of an opaque picture. */
+    public BufferedImage read() throws IOException {
+        BufferedImage picture = reader.read(0);
+        int w = picture.getWidth(), h = picture.getHeight();
+        BufferedImage samples = new BufferedImage(w, h, BufferedImage.TYPE_INT_RGB);
+        boolean byPalette = picture.getColorModel() instanceof IndexColorModel;
+        for (int y = 0; y < h; y++) {
+            int[] row = byPalette ? picture.getRGB(0, y, w, 1, null, 0, w)
+                    : samples(picture.getRaster(), picture.getColorModel().getComponentSize(0), y);
+            samples.setRGB(0, y, w, 1, row, 0, w);
+        }
+        return samples;
+    }
+
+    private static int[] samples(Raster raster, int bits, int y) {
+        int bands = raster.getNumBands(), most = (1 << bits) - 1;
+        int green = bands >= 3 ? 1 : 0, blue = bands >= 3 ? 2 : 0;
+        int[] all = raster.getPixels(0, y, raster.getWidth(), 1, (int[]) null);
+        int[] row = new int[raster.getWidth()];
+        for (int x = 0; x < row.length; x++) {
+            int at = bands * x;
+            row[x] = to8Bits(all[at], most) << 16 | to8Bits(all[at + green], most) << 8 | to8Bits(all[at + blue], most);
+        }
+        return row;
+    }
+
+    private static int to8Bits(int sample, int most) {
+        return (255 * sample + most / 2) / most;
+    }
+
+    @Override
+    public void close() throws IOException {
+        reader.dispose();
+        stream.close();
+    }
+}
