@@ -18,11 +18,19 @@ final class Triangles extends BoundedSurfaces {
 
     static final int LEAF_SIZE = Bvh.LEAF_SIZE;
 
+    private static final int STRIDE = 4;
+
     /**
      * Of the bound on the error of an edge's side: a ray that passes two edges on different sides by more is clear of
      * the triangle. More than enough for the sieve's own errors, as the bound is then of the world's origin as an end.
      */
     private static final double SIEVE = 64;
+
+    /**
+     * A ray whose cosine with a triangle's normal is greater meets the triangle's plane at a distance that is exact
+     * enough to be compared with others at once: off by less than {@link Rounding#TIE_SIEVE}.
+     */
+    private static final double GRAZING = 0x1p-16;
 
     /** Of the distance at which a ray meets a triangle's plane: a corner farther away than this is far. */
     private static final double FAR = 16;
@@ -30,8 +38,8 @@ final class Triangles extends BoundedSurfaces {
     private final Mesh mesh;
     /** By a triangle's number among these: its number in the mesh. */
     private final int[] order;
-    /** The unit normals, three coordinates each. */
-    private final double[] normals;
+    /** By triangle: the unit normal; then |x| + |y| + |z| of two edges, summed: no edge is longer. */
+    private final double[] data;
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
@@ -39,22 +47,25 @@ final class Triangles extends BoundedSurfaces {
         super(firstSlot, bvh, Hulls.of(mesh, bvh.order()), lamps);
         this.mesh = mesh;
         order = bvh.order();
-        normals = new double[Math.multiplyExact(3, order.length)];
+        data = new double[Math.multiplyExact(STRIDE, order.length)];
         sieve = new TriangleSieve(mesh, bvh);
         Halves.run(pool, 0, order.length, (from, to) -> {
             for (int k = from; k < to; k++) {
-                setNormal(k);
+                setData(k);
                 sieve.set(k);
             }
         });
     }
 
-    private void setNormal(int k) {
+    private void setData(int k) {
         Vector a = mesh.corner(order[k], 0);
-        Vector n = mesh.corner(order[k], 1).minus(a).cross(mesh.corner(order[k], 2).minus(a)).unit();
-        normals[3 * k] = n.x();
-        normals[3 * k + 1] = n.y();
-        normals[3 * k + 2] = n.z();
+        Vector ab = mesh.corner(order[k], 1).minus(a), ac = mesh.corner(order[k], 2).minus(a);
+        Vector n = ab.cross(ac).unit();
+        data[STRIDE * k] = n.x();
+        data[STRIDE * k + 1] = n.y();
+        data[STRIDE * k + 2] = n.z();
+        data[STRIDE * k + 3] = Math.abs(ab.x()) + Math.abs(ab.y()) + Math.abs(ab.z())
+                + Math.abs(ac.x()) + Math.abs(ac.y()) + Math.abs(ac.z());
     }
 
     private double corner(int k, int corner, int axis) {
@@ -79,19 +90,26 @@ final class Triangles extends BoundedSurfaces {
             return Double.NaN;
         }
         double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
-        double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
+        double nx = data[STRIDE * k], ny = data[STRIDE * k + 1], nz = data[STRIDE * k + 2];
         double offset = ax * nx + ay * ny + az * nz;
         double cosine = rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz;
         double t = offset / cosine;
         double limit = rays.reach(i);
-        if (!(t > 0) || t > limit && isBeyond(rays, i, ax, ay, az, t - limit, cosine)
+        if (!(t > 0) || t > limit && (Math.abs(cosine) > GRAZING || isBeyond(rays, i, ax, ay, az, t - limit, cosine))
                 || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])) {
             return Double.NaN;
         }
         double within = within(rays, rays.direction, i, k, rays.originError[i], rays.directionError[i], t);
-        return within <= limit && Math.abs(offset)
-                > Rounding.planeOffset(rays.originError[i], products(rays, i, k, t))
-                        + rays.slide[i] * Math.abs(cosine) ? within : Double.NaN;
+        return within <= limit && startsOff(rays, i, k, ax, ay, az, offset) ? within : Double.NaN;
+    }
+
+    /** Whether a ray clearly does not start on a triangle's plane, which is off by this as seen from there. */
+    private boolean startsOff(Rays rays, int i, int k, double x, double y, double z, double offset) {
+        double cosine = rays.dx[i] * data[STRIDE * k] + rays.dy[i] * data[STRIDE * k + 1]
+                + rays.dz[i] * data[STRIDE * k + 2];
+        double error = rays.originError[i] + rays.slide[i] * Math.abs(cosine);
+        return Math.abs(offset) > Rounding.planeOffset(error, Math.abs(x) + Math.abs(y) + Math.abs(z))
+                || Math.abs(offset) > Rounding.planeOffset(error, productsOfFar(k, x, y, z));
     }
 
     /** Whether a distance is too great by more than its error. */
@@ -142,9 +160,9 @@ final class Triangles extends BoundedSurfaces {
     @Override
     void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
         double clear = passBy(rays.direction, from, to, k, scratch);
-        double[] apart = scratch.square;
+        double[] product = scratch.square;
         for (int i = from; i < to; i++) {
-            if (!(apart[i] > clear)) {
+            if (!(product[i] < clear)) {
                 meet(rays, i, k);
             }
         }
@@ -153,32 +171,33 @@ final class Triangles extends BoundedSurfaces {
     @Override
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
         double clear = passBy(shadows.direction, from, to, k, scratch);
-        double[] apart = scratch.square;
+        double[] product = scratch.square;
         for (int i = from; i < to; i++) {
-            if (shadows.open[i] && !(apart[i] > clear)) {
+            if (shadows.open[i] && !(product[i] < clear)) {
                 shadows.open[i] = !blocks(rays, shadows, i, k);
             }
         }
     }
 
     /**
-     * Computes for all rays, in {@link Scratch#square}, by how much they pass edges on different sides, if that is more
-     * than 0. The sides are those of {@link #passesWithin}, but from the rays' moments about
+     * Computes for all rays the least product of two edges' sides, in {@link Scratch#square}: negative where a ray
+     * passes edges on different sides. The sides are those of {@link #passesWithin}, but from the rays' moments about
      * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
      * digits, and is only a first sieve.
      *
-     * @return rays are clear of the triangle if they have more than this
+     * @return rays are clear of the triangle if they have less than this
      */
     private double passBy(Vectors d, int from, int to, int k, Scratch scratch) {
         double[] ab = scratch.centreX, bc = scratch.centreY, ca = scratch.centreZ;
         sides(k, 0, 1, d, ab, from, to, scratch);
         sides(k, 1, 2, d, bc, from, to, scratch);
         sides(k, 2, 0, d, ca, from, to, scratch);
-        Pass.run(new Contradiction(ab, bc, ca, scratch.square), from, to);
+        Pass.run(new LeastProduct(ab, bc, ca, scratch.square), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
         double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
                 + scratch.farthest;
-        return SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
+        double most = 4 * edges * reach;
+        return -most * SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
     }
 
     /** |x| + |y| + |z| of the edge between two corners. */
@@ -198,19 +217,19 @@ final class Triangles extends BoundedSurfaces {
         Pass.run(new Pass.AddDotWith(-2 * ex, -2 * ey, -2 * ez, scratch.moment, out), from, to);
     }
 
-    /** out = min(max(a, b, c), max(-a, -b, -c)) */
-    private record Contradiction(double[] a, double[] b, double[] c, double[] out) implements Pass {
+    /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */
+    private record LeastProduct(double[] a, double[] b, double[] c, double[] out) implements Pass {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                out[i] = Math.min(Math.max(a[i], Math.max(b[i], c[i])), -Math.min(a[i], Math.min(b[i], c[i])));
+                out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
             }
         }
     }
 
     @Override
     double distanceError(Rays rays, int i, int k, double t) {
-        double cosine = rays.dx[i] * normals[3 * k] + rays.dy[i] * normals[3 * k + 1] + rays.dz[i] * normals[3 * k + 2];
+        double cosine = rays.dx[i] * data[STRIDE * k] + rays.dy[i] * data[STRIDE * k + 1] + rays.dz[i] * data[STRIDE * k + 2];
         return Rounding.planeDistance(
                 rays.originError[i], rays.directionError[i], products(rays, i, k, t), t, cosine);
     }
@@ -228,7 +247,7 @@ final class Triangles extends BoundedSurfaces {
     /** By coordinates: the normal's error is 4u of the magnitudes that its products have, and may be none. */
     private double productsOfFar(int k, double x, double y, double z) {
         Vector a = mesh.corner(order[k], 0), e = mesh.corner(order[k], 1).minus(a), f = mesh.corner(order[k], 2).minus(a);
-        double length = e.cross(f).dot(new Vector(normals[3 * k], normals[3 * k + 1], normals[3 * k + 2])) / 2;
+        double length = e.cross(f).dot(new Vector(data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2])) / 2;
         return Math.abs(x) * ((Math.abs(e.y() * f.z()) + Math.abs(e.z() * f.y())) / length)
                 + Math.abs(y) * ((Math.abs(e.z() * f.x()) + Math.abs(e.x() * f.z())) / length)
                 + Math.abs(z) * ((Math.abs(e.x() * f.y()) + Math.abs(e.y() * f.x())) / length);
@@ -250,16 +269,14 @@ final class Triangles extends BoundedSurfaces {
         double ab = side(ax, ay, az, bx, by, bz, dx, dy, dz);
         double bc = side(bx, by, bz, cx, cy, cz, dx, dy, dz);
         double ca = side(cx, cy, cz, ax, ay, az, dx, dy, dz);
-        double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
-                + Math.abs(cx - ax) + Math.abs(cy - ay) + Math.abs(cz - az);
-        double reach = Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges;
-        double bound = Rounding.edge(originError, directionError, reach, edges);
+        double edges = data[STRIDE * k + 3];
+        double margin = Rounding.edge(
+                originError, directionError, Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges, 1);
         double least = Math.min(ab, Math.min(bc, ca)), greatest = Math.max(ab, Math.max(bc, ca));
-        if (least > bound || greatest < -bound) {
+        if (least > edges * margin || greatest < -edges * margin) {
             return t;
         }
-        return least >= -bound || greatest <= bound
-                ? inBox(rays, d, i, k, Rounding.edge(originError, directionError, reach, 1), t) : Double.NaN;
+        return least < -edges * margin && greatest > edges * margin ? Double.NaN : inBox(rays, d, i, k, margin, t);
     }
 
     /**
@@ -281,9 +298,10 @@ final class Triangles extends BoundedSurfaces {
                 return Double.NaN;
             }
         }
-        double cosine = Math.abs(x * normals[3 * k] + y * normals[3 * k + 1] + z * normals[3 * k + 2]);
-        double inBox = Math.max(near, Math.min(far, t));
-        return near <= far && Math.abs(t - inBox) * cosine <= 2 * margin ? inBox : Double.NaN;
+        double cosine = Math.abs(x * data[STRIDE * k] + y * data[STRIDE * k + 1] + z * data[STRIDE * k + 2]);
+        double inBox = Math.max(near, Math.min(far, t)), moved = Math.abs(t - inBox);
+        return near <= far && moved * cosine <= 2 * margin && (cosine <= GRAZING || moved <= Rounding.TIE_SIEVE / 4 * t)
+                ? inBox : Double.NaN;
     }
 
     /**
@@ -303,7 +321,7 @@ final class Triangles extends BoundedSurfaces {
             return false;
         }
         double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
-        double nx = normals[3 * k], ny = normals[3 * k + 1], nz = normals[3 * k + 2];
+        double nx = data[STRIDE * k], ny = data[STRIDE * k + 1], nz = data[STRIDE * k + 2];
         double offset = x * nx + y * ny + z * nz;
         double cosine = shadows.dx[i] * nx + shadows.dy[i] * ny + shadows.dz[i] * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
@@ -311,8 +329,7 @@ final class Triangles extends BoundedSurfaces {
                 && Math.abs(cosine) > Rounding.cosine(2 * Rounding.U)
                 && within(rays, shadows.direction, i, k, shadows.originError[i], 2 * Rounding.U,
                         offset / cosine) > 0
-                && Math.abs(offset) > Rounding.planeOffset(rays.originError[i], products(rays, i, k, offset / cosine))
-                        + rays.slide[i] * Math.abs(rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz)
+                && startsOff(rays, i, k, x, y, z, offset)
                 && isBeforeLamp(shadows.lamp, k, offset);
     }
 
@@ -322,7 +339,7 @@ final class Triangles extends BoundedSurfaces {
             return true;
         }
         double x = corner(k, 0, 0) - lamp.x(), y = corner(k, 0, 1) - lamp.y(), z = corner(k, 0, 2) - lamp.z();
-        double lampOffset = x * normals[3 * k] + y * normals[3 * k + 1] + z * normals[3 * k + 2];
+        double lampOffset = x * data[STRIDE * k] + y * data[STRIDE * k + 1] + z * data[STRIDE * k + 2];
         double bound = Rounding.planeOffset(lamp.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lampOffset < -bound : lampOffset > bound;
     }
@@ -336,7 +353,7 @@ final class Triangles extends BoundedSurfaces {
     public void arrive(Rays rays, int from, int to, Scratch scratch) {
         for (int i = from; i < to; i++) {
             int k = number(rays.hit[i]);
-            rays.arriveOnPlane(i, products(rays, i, k, rays.distance[i]), normals[3 * k], normals[3 * k + 1], normals[3 * k + 2]);
+            rays.arriveOnPlane(i, products(rays, i, k, rays.distance[i]), data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2]);
         }
     }
 }
