@@ -2,6 +2,7 @@ package raytracer.cli;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import raytracer.image.Image;
 import raytracer.render.Region;
@@ -33,8 +34,8 @@ final class BlackPicture {
         }
         if (isBlack(shining(scene, m -> m.diffuse().isBlack() && m.ambient().isBlack() ? Colour.BLACK : WHITE))) {
             return "nothing that is seen has a diffuse or ambient colour"
-                    + (parsed.firstColourless() == 0 ? "" : "; colours hold for the shapes after them, and those on lines "
-                            + parsed.firstColourless() + " to " + parsed.lastColourless() + " come before any");
+                    + (parsed.firstColourless() == 0 ? "" : "; colours hold for the shapes after them, and those from line "
+                            + parsed.firstColourless() + " to line " + parsed.lastColourless() + " come before any");
         }
         if (!isBlack(turned(scene))) {
             return "the triangles that are seen show their backs, from where their corners go clockwise:"
@@ -53,7 +54,7 @@ final class BlackPicture {
     }
 
     /** The scene without lights, its surfaces shining by themselves. */
-    private static Scene shining(Scene scene, java.util.function.Function<Material, Colour> colour) {
+    private static Scene shining(Scene scene, Function<Material, Colour> colour) {
         UnaryOperator<Material> shining = m -> new Material(colour.apply(m), Colour.BLACK, Colour.BLACK, 1);
         return with(scene, List.of(), scene.mesh(), shining);
     }

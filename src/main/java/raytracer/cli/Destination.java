@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import raytracer.image.PngFile;
+import raytracer.text.ParsedScene;
 
 /**
  * Where a picture goes.
@@ -19,21 +20,22 @@ record Destination(Path file, PrintStream standardOutput) {
     private static final String SUFFIX = ".png";
 
     /** As the options say, or else the scene. */
-    static Destination of(Options options, String sceneOutput, PrintStream out) throws UsageException, IOException {
+    static Destination of(Options options, ParsedScene scene, PrintStream out) throws UsageException, IOException {
         if (Options.STANDARD.equals(options.output())) {
             return new Destination(null, out);
         }
         return new Destination(
-                options.output() != null ? Reason.path(options.output()) : ofScene(sceneOutput), out);
+                options.output() != null ? Reason.path(options.output()) : ofScene(scene), out);
     }
 
     /** A scene may be somebody else's: what it names is a picture, and stays in the working directory. */
-    private static Path ofScene(String name) throws UsageException, IOException {
+    private static Path ofScene(ParsedScene scene) throws UsageException, IOException {
+        String name = scene.scene().output();
         if (!name.equals(Terminal.harmless(name))) {
-            throw refused("without control characters", name);
+            throw refused(scene, "to have no control characters");
         }
         if (!name.toLowerCase(Locale.ROOT).endsWith(SUFFIX)) {
-            throw refused("to end in '" + SUFFIX + "'", name);
+            throw refused(scene, "to end in '" + SUFFIX + "'");
         }
         Path file = Reason.path(name);
         boolean leaves = file.getRoot() != null;
@@ -42,13 +44,14 @@ record Destination(Path file, PrintStream standardOutput) {
         }
         Path folder = OutputFile.folder(OutputFile.place(file));
         if (leaves || Files.isDirectory(folder) && !folder.toRealPath().startsWith(Path.of(".").toRealPath())) {
-            throw refused("to be inside the working directory", name);
+            throw refused(scene, "to be inside the working directory");
         }
         return file;
     }
 
-    private static UsageException refused(String expectation, String name) {
-        return new UsageException("expected 'output' " + expectation + ", found '" + name + "'; -o FILE writes anywhere");
+    private static UsageException refused(ParsedScene scene, String expectation) {
+        return new UsageException(scene.outputPlace(), "expected 'output' " + expectation + ", found '"
+                + scene.scene().output() + "'; -o FILE writes anywhere");
     }
 
     void write(RenderedImage picture) throws IOException {

@@ -47,7 +47,7 @@ final class Job {
         Destination destination = null;
         try {
             if (!isPicture()) {
-                destination = Destination.of(options, parse().scene().output(), terminal.out());
+                destination = Destination.of(options, parse(), terminal.out());
             }
         } catch (IOException | SceneException | UsageException e) {
             return;
@@ -71,7 +71,7 @@ final class Job {
             }
             return Main.BAD_INPUT;
         } catch (UsageException e) {
-            return fail(Main.BAD_INPUT, e.getMessage());
+            return fail(Main.BAD_INPUT, e.place(), e.getMessage());
         } catch (IOException e) {
             return fail(Main.FAILED, e.getMessage());
         } catch (OutOfMemoryError e) {
@@ -91,7 +91,11 @@ final class Job {
     }
 
     private int fail(int status, String message) {
-        terminal.tell(name + ": " + message);
+        return fail(status, "", message);
+    }
+
+    private int fail(int status, String place, String message) {
+        terminal.tell(name + place + ": " + message);
         return status;
     }
 
@@ -105,7 +109,7 @@ final class Job {
         }
         Scene scene = overridden(parsed.scene());
         Region region = region(scene);
-        Destination destination = Destination.of(options, scene.output(), terminal.out());
+        Destination destination = Destination.of(options, parsed, terminal.out());
         if (options.check()) {
             if (options.verbose()) {
                 terminal.tell(name + ": " + scene.width() + "x" + scene.height() + " " + destination + ", "
@@ -147,12 +151,12 @@ final class Job {
         claimed = true;
         places.read(Reason.path(file), "the scene");
         if (destination != null && destination.file() != null) {
-            places.write(destination.file(), "the picture");
+            places.write(destination.file(), "the picture of " + name);
         }
         if (options.reference() != null) {
             places.read(Reference.of(options.reference(), Reason.path(file)), "the reference");
             if (difference(destination) != null) {
-                places.write(difference(destination), "the difference picture");
+                places.write(difference(destination), "the difference picture of " + name);
             }
         }
         if (options.stats() != null) {

@@ -123,7 +123,8 @@ record Options(List<String> scenes, String output, int width, int height, int ma
 
         private void requireSenseOfChart() throws UsageException {
             String single = reference != null ? "--compare" : region != null ? "--region" : output != null ? "--output"
-                    : !sampling.equals(Sampling.CENTRES) ? "--samples" : repeat > 1 ? "--repeat" : null;
+                    : !sampling.equals(Sampling.CENTRES) ? "--samples" : repeat > 1 ? "--repeat"
+                    : stats != null ? "--stats" : null;
             if (single != null) {
                 throw new UsageException("--chart goes without " + single + ": it tries many settings in turns,"
                         + " and writes a chart in place of a picture");

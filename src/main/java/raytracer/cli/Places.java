@@ -12,7 +12,7 @@ final class Places {
     private record Claim(Path file, String what, boolean isWritten) {
         @Override
         public String toString() {
-            return what + " " + file;
+            return what + " (" + file + ")";
         }
     }
 

@@ -92,7 +92,8 @@ final class Stats {
                         tree.kind(), counted(tree.nodes(), "node"), tree.depth(), tree.bytes() / 1e6));
             }
             if (tree.beside() > 0) {
-                words.append(String.format(Locale.ROOT, "%d %s too wide for a tree%n", tree.beside(), tree.kind()));
+                words.append(counted(tree.beside(), tree.kind().substring(0, tree.kind().length() - 1))
+                        + " too wide for a tree\n");
             }
         }
         return words.append(String.format(Locale.ROOT, "built in %.0f ms, %s", buildMillis, counted(threads, "thread")))

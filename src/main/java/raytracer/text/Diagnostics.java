@@ -56,10 +56,15 @@ final class Diagnostics {
      */
     void error(int from, int to, String message) {
         if (++errorCount <= MOST_ERRORS) {
-            int column = 1 + characters(reader.start(), from);
+            int column = column(from);
             errors.add(new Diagnostic(file, reader.number(), column, message,
                     excerpt(text(reader.start(), reader.end()), column - 1, characters(from, to))));
         }
+    }
+
+    /** In characters, from 1, of a place in the current line. */
+    int column(int at) {
+        return 1 + characters(reader.start(), at);
     }
 
     /** An error of the file as a whole: its place is the beginning. */

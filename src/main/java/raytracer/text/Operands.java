@@ -99,6 +99,11 @@ final class Operands {
                 + keyword + "' (" + String.join(" ", names) + "), found " + found);
     }
 
+    /** Where an operand starts in its line. */
+    int column(int i) {
+        return diagnostics.column(from[i]);
+    }
+
     double number(int i) {
         return values[i];
     }

@@ -41,6 +41,7 @@ public final class SceneParser {
     private Camera camera;
     private int maxDepth = 1;
     private String output = DEFAULT_OUTPUT;
+    private String outputPlace = "";
     private int maxVertices;
     private long emptyTriangles;
     private long firstEmptyTriangleLine;
@@ -91,7 +92,7 @@ public final class SceneParser {
         Scene scene = new Scene(width, height, camera, maxDepth, lights, shapes.list(), shapes.mesh(), output);
         boolean isKnownToBeBlack = warn(scene);
         return new ParsedScene(
-                scene, diagnostics.warnings(), isKnownToBeBlack, firstColourless, firstColourless == 0 ? 0 : lastColourless);
+                scene, diagnostics.warnings(), outputPlace, isKnownToBeBlack, firstColourless, lastColourless);
     }
 
     /** Whether the file, of which this is the first line, is of a kind that is often taken for a scene. */
@@ -213,6 +214,7 @@ public final class SceneParser {
         String name = o.readText(Command.OUTPUT);
         once(Command.OUTPUT, o);
         output = name;
+        outputPlace = ":" + reader.number() + ":" + o.column(0);
     }
 
     private void maxDepth(Operands o) throws Operands.Rejected {
