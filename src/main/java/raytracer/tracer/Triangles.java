@@ -32,6 +32,12 @@ final class Triangles extends BoundedSurfaces {
      */
     private static final double GRAZING = 0x1p-16;
 
+    /**
+     * Of a triangle's size: so far beside it a hit is in its box all the same, as boxes are enlarged by more
+     * ({@link Bvh#PADDING}, of which this needs v).
+     */
+    private static final double IN_BOX = 0x1p-26;
+
     /** Of the distance at which a ray meets a triangle's plane: a corner farther away than this is far. */
     private static final double FAR = 16;
 
@@ -272,11 +278,14 @@ final class Triangles extends BoundedSurfaces {
         double edges = data[STRIDE * k + 3];
         double margin = Rounding.edge(
                 originError, directionError, Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges, 1);
-        double least = Math.min(ab, Math.min(bc, ca)), greatest = Math.max(ab, Math.max(bc, ca));
-        if (least > edges * margin || greatest < -edges * margin) {
-            return t;
+        double bound = edges * margin;
+        if (!(ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound)) {
+            return Double.NaN;
         }
-        return least < -edges * margin && greatest > edges * margin ? Double.NaN : inBox(rays, d, i, k, margin, t);
+        // The sides' sum is the same for all rays that pass within: where it is large, to be on an edge is to be inside.
+        boolean isInBox = Math.abs(ab + bc + ca) > bound / IN_BOX
+                || ab > bound && bc > bound && ca > bound || ab < -bound && bc < -bound && ca < -bound;
+        return isInBox ? t : inBox(rays, d, i, k, margin, t);
     }
 
     /**
