@@ -16,9 +16,6 @@ final class Beam {
     /** The most nodes to visit: what a few rays' own walks would. */
     private static final int MOST_NODES = 96;
 
-    /** In tree space: from farther away, the doubles here are not exact enough for the boxes' padding. */
-    static final double FARTHEST = 0x1p20;
-
     // By axis: the intervals of origins and directions, which may be longer than 1.
     private final double[] leastOrigin = new double[3];
     private final double[] greatestOrigin = new double[3];
@@ -165,7 +162,7 @@ final class Beam {
     private boolean isNarrow() {
         boolean narrow = false;
         for (int axis = 0; axis < 3; axis++) {
-            if (!(Math.abs(leastOrigin[axis]) < FARTHEST && Math.abs(greatestOrigin[axis]) < FARTHEST)) {
+            if (!(Math.abs(leastOrigin[axis]) < Bvh.FARTHEST && Math.abs(greatestOrigin[axis]) < Bvh.FARTHEST)) {
                 return false;
             }
             narrow |= isOneWay(axis);

@@ -11,7 +11,7 @@ final class BlockerSearch implements Pass {
     private final Bvh bvh;
     private final Rays rays;
     private final ShadowRays shadows;
-    private final Scratch scratch;
+    private final SearchWorkspace space;
 
     private final Pass blockBeside = this::blockBeside;
     private final Pass blockGathered = this::blockGathered;
@@ -22,11 +22,18 @@ final class BlockerSearch implements Pass {
     /** Where rays are looked up, if they are. */
     private LightBuffer buffer;
 
-    BlockerSearch(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, Scratch scratch) {
+    /** What closes every open shadow ray that a surface of one kind blocks between its ends. */
+    static Pass among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+        return kind instanceof BoundedSurfaces bounded
+                ? new BlockerSearch(bounded, rays, shadows, space)
+                : ((Planes) kind).blocking(rays, shadows, space.surfaces());
+    }
+
+    private BlockerSearch(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.shadows = shadows;
-        this.scratch = scratch;
+        this.space = space;
         bvh = surfaces.bvh();
     }
 
@@ -40,25 +47,25 @@ final class BlockerSearch implements Pass {
         if (!rays.leaveEye && lazy != null && lookUp(lazy.ifBuilt(), from, to)) {
             return;
         }
-        scratch.beam.take(rays, shadows.lamp, from, to);
-        if (!scratch.beam.gather(bvh)) {
+        space.beam().take(rays, shadows.lamp, from, to);
+        if (!space.beam().gather(bvh)) {
             blockEach(lazy, from, to);
-        } else if (scratch.beam.count() > 0) {
+        } else if (space.beam().count() > 0) {
             Pass.run(blockGathered, from, to);
         }
     }
 
     private void blockBeside(int from, int to) {
-        surfaces.prepareToBlock(rays, shadows, from, to, scratch);
+        surfaces.prepareToBlock(rays, shadows, from, to, space.surfaces());
         for (int k = 0; k < bvh.beside(); k++) {
-            surfaces.blockAll(rays, shadows, from, to, k, scratch);
+            surfaces.blockAll(rays, shadows, from, to, k, space.surfaces());
         }
     }
 
     private void blockGathered(int from, int to) {
-        surfaces.prepareToBlock(rays, shadows, from, to, scratch);
-        for (int n = 0; n < scratch.beam.count(); n++) {
-            surfaces.blockAll(rays, shadows, from, to, scratch.beam.thing(n), scratch);
+        surfaces.prepareToBlock(rays, shadows, from, to, space.surfaces());
+        for (int n = 0; n < space.beam().count(); n++) {
+            surfaces.blockAll(rays, shadows, from, to, space.beam().thing(n), space.surfaces());
         }
     }
 
@@ -90,7 +97,7 @@ final class BlockerSearch implements Pass {
     }
 
     private void walk(int i) {
-        BvhWalk walk = scratch.walk;
+        BvhWalk walk = space.surfaces().walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
             look(walk.x(), walk.y(), walk.z(), walk.start(), i);
             shadows.open[i] = !anyOnTheWayBlocks(i);
@@ -99,13 +106,13 @@ final class BlockerSearch implements Pass {
 
     private void look(double x, double y, double z, double far, int i) {
         surfaces.look(bvh, x, y, z, far, shadows.dx[i], shadows.dy[i], shadows.dz[i], shadows.originError[i],
-                2 * Rounding.U, scratch);
+                2 * Rounding.U, space.surfaces());
     }
 
     private boolean anyOnTheWayBlocks(int ray) {
-        BvhWalk walk = scratch.walk;
+        BvhWalk walk = space.surfaces().walk;
         while (walk.nextLeaf(shadows.distance[ray])) {
-            for (int left = surfaces.inSight(walk.first(), walk.end(), scratch); left != 0; left &= left - 1) {
+            for (int left = surfaces.inSight(walk.first(), walk.end(), space.surfaces()); left != 0; left &= left - 1) {
                 if (surfaces.blocks(rays, shadows, ray, walk.first() + Integer.numberOfTrailingZeros(left))) {
                     return true;
                 }
@@ -115,11 +122,11 @@ final class BlockerSearch implements Pass {
     }
 
     private void findCells(int from, int to) {
-        buffer.find(rays, from, to, scratch.cells);
+        buffer.find(rays, from, to, space.cells());
     }
 
     private void lookUp(int from, int to) {
-        LightBuffer.Cells cells = scratch.cells;
+        LightBuffer.Cells cells = space.cells();
         for (int i = from; i < to; i++) {
             if (shadows.open[i] && cells.first[i] < cells.end[i]) {
                 double x = cells.x[i], y = cells.y[i], z = cells.z[i];
@@ -130,10 +137,10 @@ final class BlockerSearch implements Pass {
     }
 
     private boolean anyInTheCellBlocks(int ray) {
-        LightBuffer.Cells cells = scratch.cells;
+        LightBuffer.Cells cells = space.cells();
         for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
             int k = buffer.thing(entry);
-            if (surfaces.inSight(k, k + 1, scratch) != 0 && surfaces.blocks(rays, shadows, ray, k)) {
+            if (surfaces.inSight(k, k + 1, space.surfaces()) != 0 && surfaces.blocks(rays, shadows, ray, k)) {
                 return true;
             }
         }

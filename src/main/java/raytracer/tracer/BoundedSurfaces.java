@@ -12,11 +12,11 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     private final Map<Lamp, LazyLightBuffer> lightBuffers;
 
     /** @param hulls by number among these */
-    BoundedSurfaces(int firstSlot, Bvh bvh, Hulls hulls, List<Lamp> lamps) {
+    BoundedSurfaces(int firstSlot, Bvh bvh, Hulls hulls, List<Viewpoint> viewpoints) {
         this.firstSlot = firstSlot;
         this.bvh = bvh;
         count = bvh.order().length;
-        lightBuffers = LazyLightBuffer.of(lamps, bvh, hulls);
+        lightBuffers = LazyLightBuffer.of(viewpoints, bvh, hulls);
     }
 
     /**
@@ -37,24 +37,24 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     @Override
-    public final void collect(Rays rays, int ray, Ties ties, Scratch scratch) {
+    public final void collect(Rays rays, int ray, Candidates candidates, Workspace workspace) {
         for (int k = 0; k < bvh.beside(); k++) {
-            collect(rays, ray, k, ties);
+            collect(rays, ray, k, candidates);
         }
-        BvhWalk walk = scratch.walk;
+        BvhWalk walk = workspace.walk;
         if (walk.start(bvh, rays.ox[ray], rays.oy[ray], rays.oz[ray], rays.dx[ray], rays.dy[ray], rays.dz[ray])) {
             while (walk.nextLeaf(rays.reach(ray))) {
                 for (int k = walk.first(); k < walk.end(); k++) {
-                    collect(rays, ray, k, ties);
+                    collect(rays, ray, k, candidates);
                 }
             }
         }
     }
 
-    private void collect(Rays rays, int ray, int k, Ties ties) {
+    private void collect(Rays rays, int ray, int k, Candidates candidates) {
         double t = distance(rays, ray, k);
         if (t > 0) {
-            ties.add(slot(k), t, distanceError(rays, ray, k, t));
+            candidates.add(slot(k), t, distanceError(rays, ray, k, t));
         }
     }
 
@@ -67,13 +67,13 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
      * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
      */
     abstract void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
-            double originError, double directionError, Scratch scratch);
+            double originError, double directionError, Workspace workspace);
 
     /**
      * Which of some surfaces, no more than a leaf has, the ray in {@link #look} may meet, at a glance: a bit for each,
      * the first one's lowest. No branch depends on what is seen, for the processor would often guess it wrong.
      */
-    abstract int inSight(int first, int end, Scratch scratch);
+    abstract int inSight(int first, int end, Workspace workspace);
 
     final TreeFacts facts() {
         return TreeFacts.of(this instanceof Spheres ? "spheres" : "triangles", bvh);
@@ -102,24 +102,14 @@ abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Trian
     }
 
     /** Computes what {@link #meetAll} needs to know of rays, from one index to another. */
-    abstract void prepareToMeet(Rays rays, int from, int to, Scratch scratch);
+    abstract void prepareToMeet(Rays rays, int from, int to, Workspace workspace);
 
     /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
-    abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch);
+    abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace);
 
     /** Records the surface with this number among these for rays, from one index to another, that meet it. */
-    abstract void meetAll(Rays rays, int from, int to, int k, Scratch scratch);
+    abstract void meetAll(Rays rays, int from, int to, int k, Workspace workspace);
 
     /** Closes every open shadow ray from one index to another that the surface with this number among these blocks. */
-    abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch);
-
-    @Override
-    public final Pass finding(Rays rays, Lamp eye, Scratch scratch) {
-        return new NearestSearch(this, rays, lightBuffer(eye), scratch);
-    }
-
-    @Override
-    public final Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch) {
-        return new BlockerSearch(this, rays, shadows, scratch);
-    }
+    abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace);
 }

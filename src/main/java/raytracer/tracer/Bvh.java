@@ -35,6 +35,9 @@ record Bvh(int[] order, int beside, float[] nodes, int root,
     /** In place of a root. */
     static final int EMPTY = -1;
 
+    /** In tree space: from farther away, doubles are not exact enough for the boxes' padding. */
+    static final double FARTHEST = 0x1p20;
+
     /** The most things in a leaf. */
     static final int LEAF_SIZE = 8;
 

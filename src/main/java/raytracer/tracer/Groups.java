@@ -9,12 +9,12 @@ final class Groups {
     private final int[] look;
 
     private int count;
-    private final int[] lookOf = new int[Rays.CAPACITY];
+    private final int[] lookOf = new int[Batch.CAPACITY];
     /** By group: its rays begin here, and end where the next one's begin. */
-    private final int[] start = new int[Rays.CAPACITY + 1];
+    private final int[] start = new int[Batch.CAPACITY + 1];
 
-    private final int[] groupOf = new int[Rays.CAPACITY];
-    private final int[] order = new int[Rays.CAPACITY];
+    private final int[] groupOf = new int[Batch.CAPACITY];
+    private final int[] order = new int[Batch.CAPACITY];
 
     Groups(SlotTable slots) {
         look = slots.look();

@@ -13,7 +13,7 @@ interface Hulls {
     /** The hulls of some things: corners of triangles, and radii. */
     record Batch(Vectors a, Vectors b, Vectors c, double[] radius) {
 
-        static final int CAPACITY = Rays.CAPACITY;
+        static final int CAPACITY = Batch.CAPACITY;
 
         Batch() {
             this(new Vectors(), new Vectors(), new Vectors(), new double[CAPACITY]);

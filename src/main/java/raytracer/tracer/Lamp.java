@@ -9,16 +9,11 @@ import raytracer.scene.Vector;
  *
  * @param directional whether it is at infinity
  * @param x           its position, or for a directional light the unit vector towards it
- * @param shown       what it may shine on that matters; null if all does
  */
-record Lamp(boolean directional, double x, double y, double z, Colour colour, Frustum shown) {
+record Lamp(boolean directional, double x, double y, double z, Colour colour) {
 
-    Lamp(boolean directional, double x, double y, double z, Colour colour) {
-        this(directional, x, y, z, colour, null);
-    }
-
-    static Lamp ofEye(Vector eye, Frustum shown) {
-        return new Lamp(false, eye.x(), eye.y(), eye.z(), Colour.BLACK, shown);
+    static Lamp ofEye(Vector eye) {
+        return new Lamp(false, eye.x(), eye.y(), eye.z(), Colour.BLACK);
     }
 
     /**

@@ -31,22 +31,22 @@ final class LazyLightBuffer {
 
     private final Bvh bvh;
     private final Hulls hulls;
-    private final Lamp lamp;
+    private final Viewpoint viewpoint;
     private final AtomicLong walks = new AtomicLong();
     private volatile boolean begun;
     private volatile LightBuffer buffer;
 
-    private LazyLightBuffer(Bvh bvh, Hulls hulls, Lamp lamp) {
+    private LazyLightBuffer(Bvh bvh, Hulls hulls, Viewpoint viewpoint) {
         this.bvh = bvh;
         this.hulls = hulls;
-        this.lamp = lamp;
+        this.viewpoint = viewpoint;
     }
 
     /** By lamp, which are told apart as objects. */
-    static Map<Lamp, LazyLightBuffer> of(List<Lamp> lamps, Bvh bvh, Hulls hulls) {
+    static Map<Lamp, LazyLightBuffer> of(List<Viewpoint> viewpoints, Bvh bvh, Hulls hulls) {
         Map<Lamp, LazyLightBuffer> buffers = new IdentityHashMap<>();
-        for (Lamp lamp : lamps) {
-            buffers.put(lamp, new LazyLightBuffer(bvh, hulls, lamp));
+        for (Viewpoint viewpoint : viewpoints) {
+            buffers.put(viewpoint.source(), new LazyLightBuffer(bvh, hulls, viewpoint));
         }
         return buffers;
     }
@@ -86,7 +86,7 @@ final class LazyLightBuffer {
         if (!begun) {
             begun = true;
             if (hasRoom()) {
-                buffer = LightBufferBuilder.build(bvh, hulls, lamp);
+                buffer = LightBufferBuilder.build(bvh, hulls, viewpoint);
                 SORTED.addAndGet(bvh.order().length);
             }
         }

@@ -38,15 +38,15 @@ final class LightBuffer {
 
     /** By ray: where it starts, in the tree's space and as the lamp sees it, and the entries of the cell there. */
     static final class Cells {
-        final double[] x = new double[Rays.CAPACITY];
-        final double[] y = new double[Rays.CAPACITY];
-        final double[] z = new double[Rays.CAPACITY];
+        final double[] x = new double[Batch.CAPACITY];
+        final double[] y = new double[Batch.CAPACITY];
+        final double[] z = new double[Batch.CAPACITY];
         /** The {@link #key} of the depth beyond which nothing matters. */
-        private final int[] depth = new int[Rays.CAPACITY];
+        private final int[] depth = new int[Batch.CAPACITY];
         /** By how much the depth grows along a ray, in the tree's space, for each unit in the world's. */
-        private final double[] depthPerDistance = new double[Rays.CAPACITY];
-        final int[] first = new int[Rays.CAPACITY];
-        final int[] end = new int[Rays.CAPACITY];
+        private final double[] depthPerDistance = new double[Batch.CAPACITY];
+        final int[] first = new int[Batch.CAPACITY];
+        final int[] end = new int[Batch.CAPACITY];
         private long touched;
     }
 
@@ -58,7 +58,7 @@ final class LightBuffer {
             double z = Math.abs(rays.oz[i] - bvh.centreZ());
             farthest = Math.max(farthest, Math.max(x, Math.max(y, z)));
         }
-        return farthest * bvh.scale() < Beam.FARTHEST;
+        return farthest * bvh.scale() < Bvh.FARTHEST;
     }
 
     /** Finds the cells in which the lamp sees the points where rays start. */

@@ -54,10 +54,11 @@ final class LightBufferBuilder {
      * @param hulls by number in the tree's order
      * @return null if that would be no use
      */
-    static LightBuffer build(Bvh bvh, Hulls hulls, Lamp of) {
+    static LightBuffer build(Bvh bvh, Hulls hulls, Viewpoint from) {
         if (bvh.root() < 0) {
             return null;
         }
+        Lamp of = from.source();
         if (of.directional()) {
             Face[] faces = {Face.of(of.x(), of.y(), of.z())};
             return new LightBufferBuilder(bvh, hulls, new double[3], faces, null).build();
@@ -65,11 +66,11 @@ final class LightBufferBuilder {
         double[] lamp = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
             (of.z() - bvh.centreZ()) * bvh.scale()};
         for (double coordinate : lamp) {
-            if (!(Math.abs(coordinate) < Beam.FARTHEST)) {
+            if (!(Math.abs(coordinate) < Bvh.FARTHEST)) {
                 return null;
             }
         }
-        return new LightBufferBuilder(bvh, hulls, lamp, Face.around(), of.shown()).build();
+        return new LightBufferBuilder(bvh, hulls, lamp, Face.around(), from.shown()).build();
     }
 
     private LightBuffer build() {
@@ -145,7 +146,19 @@ final class LightBufferBuilder {
 
     /** Brings points from world space to the tree's, with the lamp as the origin. */
     private void asSeenFromLamp(Vectors points, int end) {
-        Vectors.toTreeSpace(points, bvh, lamp[0], lamp[1], lamp[2], points, 0, end);
+        Pass.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0]), 0, end);
+        Pass.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1]), 0, end);
+        Pass.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2]), 0, end);
+    }
+
+    /** a = (a - centre) scale - origin */
+    private record ToTreeSpace(double[] a, double centre, double scale, double origin) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = (a[i] - centre) * scale - origin;
+            }
+        }
     }
 
     private void look(int from, int to) {

@@ -10,7 +10,7 @@ final class NearestSearch implements Pass {
     private final BoundedSurfaces surfaces;
     private final Bvh bvh;
     private final Rays rays;
-    private final Scratch scratch;
+    private final SearchWorkspace space;
 
     private final Pass meetBeside = this::meetBeside;
     private final Pass meetGathered = this::meetGathered;
@@ -21,12 +21,23 @@ final class NearestSearch implements Pass {
     private final LazyLightBuffer ofEye;
     private LightBuffer buffer;
 
+    /**
+     * What records for every ray the nearest surface of one kind that it meets.
+     *
+     * @param eye where rays start, if they leave the eye
+     */
+    static Pass among(Surfaces kind, Rays rays, Lamp eye, SearchWorkspace space) {
+        return kind instanceof BoundedSurfaces bounded
+                ? new NearestSearch(bounded, rays, bounded.lightBuffer(eye), space)
+                : ((Planes) kind).intersecting(rays, space.surfaces());
+    }
+
     /** @param ofEye null if there is none, nor will be */
-    NearestSearch(BoundedSurfaces surfaces, Rays rays, LazyLightBuffer ofEye, Scratch scratch) {
+    private NearestSearch(BoundedSurfaces surfaces, Rays rays, LazyLightBuffer ofEye, SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.ofEye = ofEye;
-        this.scratch = scratch;
+        this.space = space;
         bvh = surfaces.bvh();
     }
 
@@ -35,25 +46,25 @@ final class NearestSearch implements Pass {
         if (bvh.beside() > 0) {
             Pass.run(meetBeside, from, to);
         }
-        scratch.beam.take(rays, from, to);
-        if (!scratch.beam.gather(bvh)) {
+        space.beam().take(rays, from, to);
+        if (!space.beam().gather(bvh)) {
             findEach(from, to);
-        } else if (scratch.beam.count() > 0) {
+        } else if (space.beam().count() > 0) {
             Pass.run(meetGathered, from, to);
         }
     }
 
     private void meetBeside(int from, int to) {
-        surfaces.prepareToMeet(rays, from, to, scratch);
+        surfaces.prepareToMeet(rays, from, to, space.surfaces());
         for (int k = 0; k < bvh.beside(); k++) {
-            surfaces.meetAll(rays, from, to, k, scratch);
+            surfaces.meetAll(rays, from, to, k, space.surfaces());
         }
     }
 
     private void meetGathered(int from, int to) {
-        surfaces.prepareToMeet(rays, from, to, scratch);
-        for (int n = 0; n < scratch.beam.count(); n++) {
-            surfaces.meetAll(rays, from, to, scratch.beam.thing(n), scratch);
+        surfaces.prepareToMeet(rays, from, to, space.surfaces());
+        for (int n = 0; n < space.beam().count(); n++) {
+            surfaces.meetAll(rays, from, to, space.beam().thing(n), space.surfaces());
         }
     }
 
@@ -77,7 +88,7 @@ final class NearestSearch implements Pass {
     }
 
     private void walk(int i) {
-        BvhWalk walk = scratch.walk;
+        BvhWalk walk = space.surfaces().walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
             look(walk.x(), walk.y(), walk.z(), walk.start(), i);
             meetOnTheWay(i);
@@ -86,24 +97,24 @@ final class NearestSearch implements Pass {
 
     private void look(double x, double y, double z, double far, int i) {
         surfaces.look(bvh, x, y, z, far, rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i],
-                rays.directionError[i], scratch);
+                rays.directionError[i], space.surfaces());
     }
 
     private void meetOnTheWay(int ray) {
-        BvhWalk walk = scratch.walk;
+        BvhWalk walk = space.surfaces().walk;
         while (walk.nextLeaf(rays.reach(ray))) {
-            for (int left = surfaces.inSight(walk.first(), walk.end(), scratch); left != 0; left &= left - 1) {
+            for (int left = surfaces.inSight(walk.first(), walk.end(), space.surfaces()); left != 0; left &= left - 1) {
                 surfaces.meet(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
             }
         }
     }
 
     private void findCells(int from, int to) {
-        buffer.findAhead(rays, from, to, scratch.cells);
+        buffer.findAhead(rays, from, to, space.cells());
     }
 
     private void lookUp(int from, int to) {
-        LightBuffer.Cells cells = scratch.cells;
+        LightBuffer.Cells cells = space.cells();
         for (int i = from; i < to; i++) {
             if (cells.first[i] < cells.end[i]) {
                 double x = cells.x[i], y = cells.y[i], z = cells.z[i];
@@ -114,10 +125,10 @@ final class NearestSearch implements Pass {
     }
 
     private void meetInTheCell(int ray) {
-        LightBuffer.Cells cells = scratch.cells;
+        LightBuffer.Cells cells = space.cells();
         for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
             int k = buffer.thing(entry);
-            if (surfaces.inSight(k, k + 1, scratch) != 0) {
+            if (surfaces.inSight(k, k + 1, space.surfaces()) != 0) {
                 surfaces.meet(rays, ray, k);
                 buffer.limit(rays.reach(ray), ray, cells);
             }

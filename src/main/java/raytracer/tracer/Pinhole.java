@@ -21,7 +21,7 @@ final class Pinhole {
     private final Vector up;
     private final Vector backward;
 
-    private final Lamp lamp;
+    private final Viewpoint viewpoint;
 
     Pinhole(Scene scene) {
         Camera camera = scene.camera();
@@ -36,7 +36,8 @@ final class Pinhole {
         up = toEye.cross(camera.right()).times(halfHeight);
         backward = toEye.times(height);
         double x = width + RIM, y = height + RIM;
-        lamp = Lamp.ofEye(eye, new Frustum(List.of(towards(-x, y), towards(x, y), towards(x, -y), towards(-x, -y))));
+        viewpoint = new Viewpoint(Lamp.ofEye(eye),
+                new Frustum(List.of(towards(-x, y), towards(x, y), towards(x, -y), towards(-x, -y))));
     }
 
     /** To a point of the picture's plane, seen from its middle in half pixels. */
@@ -58,9 +59,14 @@ final class Pinhole {
         return new Window(least, greatest);
     }
 
+    /** The eye, and what the picture shows from there. */
+    Viewpoint viewpoint() {
+        return viewpoint;
+    }
+
     /** The eye in place of a light. */
     Lamp lamp() {
-        return lamp;
+        return viewpoint.source();
     }
 
     int width() {

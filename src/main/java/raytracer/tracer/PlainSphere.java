@@ -25,11 +25,11 @@ final class PlainSphere {
      *
      * @param doubt whether a ray meets the sphere is certain unless the square of half the chord is nearer to 0
      */
-    record TakeNearer(Rays rays, double doubt, int slot, Scratch scratch) implements Pass {
+    record TakeNearer(Rays rays, double doubt, int slot, Workspace workspace) implements Pass {
         @Override
         public void run(int from, int to) {
-            double[] distance = rays.distance, along = scratch.along, square = scratch.square, t = scratch.distance;
-            int[] hit = rays.hit, doubtful = scratch.doubtful;
+            double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
+            int[] hit = rays.hit, doubtful = workspace.doubtful;
             int count = 0;
             for (int i = from; i < to; i++) {
                 if (square[i] >= doubt) {
@@ -45,7 +45,7 @@ final class PlainSphere {
                     doubtful[count++] = i;
                 }
             }
-            scratch.doubtfulCount = count;
+            workspace.doubtfulCount = count;
         }
     }
 
@@ -55,14 +55,14 @@ final class PlainSphere {
      * @param radius   of the sphere
      * @param lampSide 1 if the lamp is outside of it, -1 inside, 0 on it
      */
-    record Close(Rays rays, ShadowRays shadows, double radius, int slot, int lampSide, Scratch scratch)
+    record Close(Rays rays, ShadowRays shadows, double radius, int slot, int lampSide, Workspace workspace)
             implements Pass {
         @Override
         public void run(int from, int to) {
-            double[] square = scratch.square, along = scratch.along, distance = shadows.distance;
+            double[] square = workspace.square, along = workspace.along, distance = shadows.distance;
             double[] error = shadows.originError;
             boolean[] open = shadows.open;
-            int[] hit = rays.hit, doubtful = scratch.doubtful;
+            int[] hit = rays.hit, doubtful = workspace.doubtful;
             int count = 0;
             for (int i = from; i < to; i++) {
                 if (open[i] && !isClear(square[i], radius, error[i])) {
@@ -76,7 +76,7 @@ final class PlainSphere {
                     }
                 }
             }
-            scratch.doubtfulCount = count;
+            workspace.doubtfulCount = count;
         }
 
         /** Whether a ray clearly starts outside a sphere, and meets it clearly or has it behind. */

@@ -37,23 +37,23 @@ final class Planes implements Surfaces {
         return slot >= firstSlot && slot < firstSlot + count;
     }
 
-    @Override
-    public Pass finding(Rays rays, Lamp eye, Scratch scratch) {
-        return (from, to) -> findNearest(rays, from, to, scratch);
+    /** What records for every ray the nearest that it meets among these. */
+    Pass intersecting(Rays rays, Workspace workspace) {
+        return (from, to) -> findNearest(rays, from, to, workspace);
     }
 
-    private void findNearest(Rays rays, int from, int to, Scratch scratch) {
+    private void findNearest(Rays rays, int from, int to, Workspace workspace) {
         for (int k = 0; k < count; k++) {
-            measure(rays, k, from, to, scratch);
-            record(rays, k, scratch.along, scratch.square, scratch.distance, from, to);
+            measure(rays, k, from, to, workspace);
+            record(rays, k, workspace.along, workspace.square, workspace.distance, from, to);
         }
     }
 
     /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
-    private void measure(Rays rays, int k, int from, int to, Scratch scratch) {
-        offsets(rays, k, scratch.along, from, to);
-        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, scratch.square, from, to);
-        divide(scratch.along, scratch.square, scratch.distance, from, to);
+    private void measure(Rays rays, int k, int from, int to, Workspace workspace) {
+        offsets(rays, k, workspace.along, from, to);
+        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, workspace.square, from, to);
+        divide(workspace.along, workspace.square, workspace.distance, from, to);
     }
 
     /** out = (p - o) . n */
@@ -109,28 +109,28 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void collect(Rays rays, int i, Ties ties, Scratch scratch) {
+    public void collect(Rays rays, int i, Candidates candidates, Workspace workspace) {
         for (int k = 0; k < count; k++) {
-            measure(rays, k, i, i + 1, scratch);
-            double cosine = scratch.square[i], t = scratch.distance[i];
-            if (isMet(rays, i, k, scratch.along[i], cosine, t)) {
-                ties.add(firstSlot + k, t, Rounding.planeDistance(
+            measure(rays, k, i, i + 1, workspace);
+            double cosine = workspace.square[i], t = workspace.distance[i];
+            if (isMet(rays, i, k, workspace.along[i], cosine, t)) {
+                candidates.add(firstSlot + k, t, Rounding.planeDistance(
                         rays.originError[i], rays.directionError[i], products(rays, i, k), t, cosine));
             }
         }
     }
 
-    @Override
-    public Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch) {
-        return (from, to) -> block(rays, shadows, from, to, scratch);
+    /** What closes every open shadow ray that one of these blocks between its ends. */
+    Pass blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
+        return (from, to) -> block(rays, shadows, from, to, workspace);
     }
 
-    private void block(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
+    private void block(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
         for (int k = 0; k < count; k++) {
             int side = sideOfLamp(shadows.lamp, k);
             if (side != 0) {
-                offsets(rays, k, scratch.along, from, to);
-                close(rays, shadows.open, k, side, scratch.along, from, to);
+                offsets(rays, k, workspace.along, from, to);
+                close(rays, shadows.open, k, side, workspace.along, from, to);
             }
         }
     }
@@ -169,7 +169,7 @@ final class Planes implements Surfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int from, int to, Scratch scratch) {
+    public void arrive(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
             int k = rays.hit[i] - firstSlot;
             rays.arriveOnPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);

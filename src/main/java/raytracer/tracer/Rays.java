@@ -8,14 +8,6 @@ import java.util.Arrays;
  */
 final class Rays {
 
-    /**
-     * Pixels of a tile's side. What a tile costs whatever its size is shared by so many rays, and what a pass needs of
-     * them is still in the L1 cache: a quantity is 3 KB.
-     */
-    static final int TILE_SIDE = 20;
-
-    static final int CAPACITY = TILE_SIDE * TILE_SIDE;
-
     /** In place of a slot: the ray leaves the eye, or it meets nothing. */
     static final int NONE = -1;
 
@@ -24,7 +16,7 @@ final class Rays {
     /** Whether all start at the eye: then they have their origin in common, and leave no surface. */
     boolean leaveEye;
 
-    final int[] pixel = new int[CAPACITY];
+    final int[] pixel = new int[Batch.CAPACITY];
 
     /** Of rays that leave the eye, what they go through; null if that is not known. */
     Window window;
@@ -34,39 +26,39 @@ final class Rays {
 
     // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
     // along the ray itself), and apart from that. The slot of the surface it leaves.
-    final double[] ox = new double[CAPACITY];
-    final double[] oy = new double[CAPACITY];
-    final double[] oz = new double[CAPACITY];
-    final double[] originError = new double[CAPACITY];
-    final double[] slide = new double[CAPACITY];
-    final int[] source = new int[CAPACITY];
+    final double[] ox = new double[Batch.CAPACITY];
+    final double[] oy = new double[Batch.CAPACITY];
+    final double[] oz = new double[Batch.CAPACITY];
+    final double[] originError = new double[Batch.CAPACITY];
+    final double[] slide = new double[Batch.CAPACITY];
+    final int[] source = new int[Batch.CAPACITY];
 
     // Where it goes: a unit vector, and a bound on the error of each coordinate.
-    final double[] dx = new double[CAPACITY];
-    final double[] dy = new double[CAPACITY];
-    final double[] dz = new double[CAPACITY];
-    final double[] directionError = new double[CAPACITY];
+    final double[] dx = new double[Batch.CAPACITY];
+    final double[] dy = new double[Batch.CAPACITY];
+    final double[] dz = new double[Batch.CAPACITY];
+    final double[] directionError = new double[Batch.CAPACITY];
 
     // The nearest surface so far, and its distance.
-    final int[] hit = new int[CAPACITY];
-    final double[] distance = new double[CAPACITY];
+    final int[] hit = new int[Batch.CAPACITY];
+    final double[] distance = new double[Batch.CAPACITY];
 
     /** The rays that have met several surfaces at about the same distance: {@link Ties} decides. */
-    final int[] close = new int[CAPACITY];
+    final int[] close = new int[Batch.CAPACITY];
     int closeCount;
     /** By ray, that distance; negative if there is none. */
-    final double[] closeDistance = new double[CAPACITY];
+    final double[] closeDistance = new double[Batch.CAPACITY];
 
     // The unit normal where the ray has arrived, and a bound on the error of each coordinate.
-    final double[] nx = new double[CAPACITY];
-    final double[] ny = new double[CAPACITY];
-    final double[] nz = new double[CAPACITY];
-    final double[] normalError = new double[CAPACITY];
+    final double[] nx = new double[Batch.CAPACITY];
+    final double[] ny = new double[Batch.CAPACITY];
+    final double[] nz = new double[Batch.CAPACITY];
+    final double[] normalError = new double[Batch.CAPACITY];
 
     // How much of the light that comes along the ray reaches the pixel: not set while it is all, as from the eye.
-    final double[] red = new double[CAPACITY];
-    final double[] green = new double[CAPACITY];
-    final double[] blue = new double[CAPACITY];
+    final double[] red = new double[Batch.CAPACITY];
+    final double[] green = new double[Batch.CAPACITY];
+    final double[] blue = new double[Batch.CAPACITY];
 
     // The same, as passes want them.
     final Vectors origin = new Vectors(ox, oy, oz);
@@ -78,8 +70,8 @@ final class Rays {
     private final double[][] ofLaterRays =
             {dx, dy, dz, distance, ox, oy, oz, originError, directionError, red, green, blue};
     private final double[][] ofArrivedRays = {nx, ny, nz, normalError, slide};
-    private final double[] selected = new double[CAPACITY];
-    private final int[] selectedInts = new int[CAPACITY];
+    private final double[] selected = new double[Batch.CAPACITY];
+    private final int[] selectedInts = new int[Batch.CAPACITY];
 
     /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
     private final Pass mirroring = new Pass.InTurn(

@@ -177,8 +177,8 @@ final class Rounding {
     }
 
     /** Bounds the error of the distance from where a ray has arrived to a lamp, but for the origin's own. */
-    static double lampDistance(Lamp lamp, double distance) {
-        return lamp.positionError() + 4 * U * distance;
+    static double lampDistance(double positionError, double distance) {
+        return positionError + 4 * U * distance;
     }
 
     /** Bounds the error of a root of a square that is off by so much. */

@@ -9,7 +9,7 @@ import java.util.Arrays;
 public final class Samples {
 
     /** The most that are traced together. */
-    public static final int CAPACITY = Rays.CAPACITY;
+    public static final int CAPACITY = Batch.CAPACITY;
 
     public int count;
 

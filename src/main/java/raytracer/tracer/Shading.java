@@ -34,25 +34,25 @@ final class Shading {
     private final Pass limitPower;
 
     // By ray: the light that is left, none or any; the highlight to the power of the shininess.
-    private final double[] most = new double[Rays.CAPACITY];
-    private final double[] power = new double[Rays.CAPACITY];
+    private final double[] most = new double[Batch.CAPACITY];
+    private final double[] power = new double[Batch.CAPACITY];
 
     // By ray: the result.
-    final double[] red = new double[Rays.CAPACITY];
-    final double[] green = new double[Rays.CAPACITY];
-    final double[] blue = new double[Rays.CAPACITY];
+    final double[] red = new double[Batch.CAPACITY];
+    final double[] green = new double[Batch.CAPACITY];
+    final double[] blue = new double[Batch.CAPACITY];
 
     private final Term diffuseTerm;
     private final Term specularTerm;
 
     /** @param rays what is shaded, when it has arrived */
-    Shading(List<Surfaces> surfaces, List<Lamp> lamps, Rays rays, Scratch scratch) {
+    Shading(List<Surfaces> surfaces, List<Lamp> lamps, Rays rays, SearchWorkspace space) {
         this.lamps = lamps;
         this.rays = rays;
         shadows = new ShadowRays(rays);
         block = new Pass[surfaces.size()];
         for (int kind = 0; kind < block.length; kind++) {
-            block[kind] = surfaces.get(kind).blocking(rays, shadows, scratch);
+            block[kind] = BlockerSearch.among(surfaces.get(kind), rays, shadows, space);
         }
         ShadowRays s = shadows;
         findLambert = new Pass.Dot(rays.normal, s.direction, s.lambert);

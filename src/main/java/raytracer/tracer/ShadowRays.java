@@ -9,21 +9,21 @@ import java.util.Arrays;
 final class ShadowRays {
 
     // Towards the light: a unit vector. And how far it is; infinite for a directional light.
-    final double[] dx = new double[Rays.CAPACITY];
-    final double[] dy = new double[Rays.CAPACITY];
-    final double[] dz = new double[Rays.CAPACITY];
+    final double[] dx = new double[Batch.CAPACITY];
+    final double[] dy = new double[Batch.CAPACITY];
+    final double[] dz = new double[Batch.CAPACITY];
     final Vectors direction = new Vectors(dx, dy, dz);
-    final double[] distance = new double[Rays.CAPACITY];
+    final double[] distance = new double[Batch.CAPACITY];
 
     /** How far off a ray's origin may be, in whatever direction. */
-    final double[] originError = new double[Rays.CAPACITY];
+    final double[] originError = new double[Batch.CAPACITY];
 
     /** Whether it matters that the light is seen, and no surface found so far is in its way. */
-    final boolean[] open = new boolean[Rays.CAPACITY];
+    final boolean[] open = new boolean[Batch.CAPACITY];
 
     // What the surface would return of the light, were it not blocked: the cosine at the surface, and the highlight.
-    final double[] lambert = new double[Rays.CAPACITY];
-    final double[] highlight = new double[Rays.CAPACITY];
+    final double[] lambert = new double[Batch.CAPACITY];
+    final double[] highlight = new double[Batch.CAPACITY];
 
     /** The light that the rays go to; and its position, as often as there are rays. */
     Lamp lamp;

@@ -14,25 +14,25 @@ final class SphereArrival {
     private final Pass passes;
 
     /** @param data spheres, {@link Spheres#STRIDE} numbers each */
-    SphereArrival(double[] data, int firstSlot, Rays rays, Scratch scratch) {
+    SphereArrival(double[] data, int firstSlot, Rays rays, Workspace workspace) {
         this.data = data;
         this.firstSlot = firstSlot;
         this.rays = rays;
-        double[] radius = scratch.radius;
-        Vectors centre = new Vectors(scratch.centreX, scratch.centreY, scratch.centreZ);
+        double[] radius = workspace.radius;
+        Vectors centre = new Vectors(workspace.centreX, workspace.centreY, workspace.centreZ);
         sphere = new double[][] {centre.x(), centre.y(), centre.z(), radius};
         passes = new Pass.InTurn(
                 Pass.subtract(rays.origin, centre, rays.normal),
-                new Pass.Reach(rays.normal, scratch.reach),
-                new Pass.Dot(rays.normal, rays.direction, scratch.along),
+                new Pass.Reach(rays.normal, workspace.reach),
+                new Pass.Dot(rays.normal, rays.direction, workspace.along),
                 // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
                 Pass.addProduct(rays.origin, 1, rays.distance, rays.direction, rays.origin),
                 Pass.subtract(rays.origin, centre, rays.normal),
-                new Pass.Length(rays.normal, scratch.square),
-                new Pass.DivideByLength(rays.normal, scratch.square),
-                Rounding.sphereSlide(scratch.reach, radius, scratch.along, rays.distance, scratch.square, rays.slide),
-                new Pass.Reach(rays.origin, scratch.square),
-                new Rounding.SpherePoint(rays.distance, scratch.square, rays.slide, radius, rays.originError,
+                new Pass.Length(rays.normal, workspace.square),
+                new Pass.DivideByLength(rays.normal, workspace.square),
+                Rounding.sphereSlide(workspace.reach, radius, workspace.along, rays.distance, workspace.square, rays.slide),
+                new Pass.Reach(rays.origin, workspace.square),
+                new Rounding.SpherePoint(rays.distance, workspace.square, rays.slide, radius, rays.originError,
                         rays.normalError));
     }
 

@@ -20,8 +20,8 @@ final class Spheres extends BoundedSurfaces {
     private final double[] data;
 
     /** @param spheres in the order of the tree's leaves */
-    Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh, List<Lamp> lamps) {
-        super(firstSlot, bvh, Hulls.of(spheres), lamps);
+    Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints) {
+        super(firstSlot, bvh, Hulls.of(spheres), viewpoints);
         int count = spheres.size();
         data = new double[STRIDE * count];
         for (int k = 0; k < count; k++) {
@@ -85,33 +85,33 @@ final class Spheres extends BoundedSurfaces {
 
     @Override
     void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
-            double originError, double directionError, Scratch scratch) { }
+            double originError, double directionError, Workspace workspace) { }
 
     /** All: a leaf is one sphere, whose box the ray has met. */
     @Override
-    int inSight(int first, int end, Scratch scratch) {
+    int inSight(int first, int end, Workspace workspace) {
         return (1 << end - first) - 1;
     }
 
     @Override
-    void prepareToMeet(Rays rays, int from, int to, Scratch scratch) { }
+    void prepareToMeet(Rays rays, int from, int to, Workspace workspace) { }
 
     @Override
-    void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) { }
+    void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) { }
 
     @Override
-    void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
+    void meetAll(Rays rays, int from, int to, int k, Workspace workspace) {
         if (rays.leaveEye) {
-            passByFromEye(rays, from, to, k, scratch);
+            passByFromEye(rays, from, to, k, workspace);
         } else {
-            passBy(rays, rays.direction, from, to, k, scratch);
+            passBy(rays, rays.direction, from, to, k, workspace);
         }
         double x = rays.ox[from], y = rays.oy[from], z = rays.oz[from];
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double power = rays.leaveEye ? PowerOfPoint.of(x, y, z, cx, cy, cz, r) : 0;
         if (!(power > 0)) {
             for (int i = from; i < to; i++) {
-                if (!PlainSphere.isClear(scratch.square[i], r, rays.originError[i])) {
+                if (!PlainSphere.isClear(workspace.square[i], r, rays.originError[i])) {
                     meet(rays, i, k);
                 }
             }
@@ -120,32 +120,32 @@ final class Spheres extends BoundedSurfaces {
         // All rays start at the same point outside: what takes long to compute is the same for all.
         double reach = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
         double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, reach, r, reach);
-        Pass.run(new Perpendicular.Distance(power, scratch.along, scratch.square, scratch.distance), from, to);
-        Pass.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), scratch), from, to);
-        for (int n = 0; n < scratch.doubtfulCount; n++) {
-            meet(rays, scratch.doubtful[n], k);
+        Pass.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
+        Pass.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), workspace), from, to);
+        for (int n = 0; n < workspace.doubtfulCount; n++) {
+            meet(rays, workspace.doubtful[n], k);
         }
     }
 
     @Override
-    void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
+    void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
         int lampSide = sideOfLamp(shadows.lamp, k);
         if (rays.hit[from] == slot(k) && rays.haveMetTheSame(from, to)) {
-            blockInwards(rays, shadows, from, to, k, lampSide, scratch);
+            blockInwards(rays, shadows, from, to, k, lampSide, workspace);
             return;
         }
-        passBy(rays, shadows.direction, from, to, k, scratch);
-        Pass.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, scratch), from, to);
-        for (int n = 0; n < scratch.doubtfulCount; n++) {
-            int i = scratch.doubtful[n];
+        passBy(rays, shadows.direction, from, to, k, workspace);
+        Pass.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, workspace), from, to);
+        for (int n = 0; n < workspace.doubtfulCount; n++) {
+            int i = workspace.doubtful[n];
             shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
         }
     }
 
     /** Closes the ways that go into the sphere on which all start: the others leave it for good. */
     private void blockInwards(
-            Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Scratch scratch) {
-        double[] along = scratch.along;
+            Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Workspace workspace) {
+        double[] along = workspace.along;
         boolean[] open = shadows.open;
         Pass.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
                 shadows.direction, along), from, to);
@@ -156,17 +156,17 @@ final class Spheres extends BoundedSurfaces {
         }
     }
 
-    private void passBy(Rays rays, Vectors d, int from, int to, int k, Scratch scratch) {
+    private void passBy(Rays rays, Vectors d, int from, int to, int k, Workspace workspace) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        Pass.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, scratch.along), from, to);
-        Pass.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, scratch.along, scratch.square), from, to);
+        Pass.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
+        Pass.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square), from, to);
     }
 
-    private void passByFromEye(Rays rays, int from, int to, int k, Scratch scratch) {
+    private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
         double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
         double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        Pass.run(new Pass.DotWith(x, y, z, rays.direction, scratch.along), from, to);
-        Pass.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, scratch.along, scratch.square),
+        Pass.run(new Pass.DotWith(x, y, z, rays.direction, workspace.along), from, to);
+        Pass.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
                 from, to);
     }
 
@@ -234,7 +234,7 @@ final class Spheres extends BoundedSurfaces {
         }
         // The middle of the way through the sphere must be before the light: clearly so, if the light is on the sphere.
         return along < 0 && -along < shadows.distance[i]
-                - (lampSide > 0 ? 0 : alongError + Rounding.lampDistance(shadows.lamp, shadows.distance[i]));
+                - (lampSide > 0 ? 0 : alongError + Rounding.lampDistance(shadows.lamp.positionError(), shadows.distance[i]));
     }
 
     private int sideOfLamp(Lamp lamp, int k) {
@@ -266,15 +266,15 @@ final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int from, int to, Scratch scratch) {
-        if (scratch.sphereArrival == null) {
-            prepareToArrive(rays, scratch);
+    public void arrive(Rays rays, int from, int to, Workspace workspace) {
+        if (workspace.sphereArrival == null) {
+            prepareToArrive(rays, workspace);
         }
-        scratch.sphereArrival.run(from, to);
+        workspace.sphereArrival.run(from, to);
     }
 
     /** Apart: C2 compiles a constructor into its caller, however rarely it is called. */
-    private void prepareToArrive(Rays rays, Scratch scratch) {
-        scratch.sphereArrival = new SphereArrival(data, slot(0), rays, scratch);
+    private void prepareToArrive(Rays rays, Workspace workspace) {
+        workspace.sphereArrival = new SphereArrival(data, slot(0), rays, workspace);
     }
 }

@@ -13,7 +13,7 @@ import raytracer.scene.Shape;
 /** Sorts a scene's shapes by kind and gives each surface its slot: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {
 
-    private final List<Lamp> lamps;
+    private final List<Viewpoint> viewpoints;
     private final Mesh mesh;
     private final ForkJoinPool pool;
     private final int[] declaredBySlot;
@@ -62,8 +62,8 @@ final class SurfaceCompiler {
         }
     }
 
-    SurfaceCompiler(Scene scene, List<Lamp> lamps, ForkJoinPool pool) {
-        this.lamps = lamps;
+    SurfaceCompiler(Scene scene, List<Viewpoint> viewpoints, ForkJoinPool pool) {
+        this.viewpoints = viewpoints;
         this.mesh = scene.mesh();
         this.pool = pool;
         planeOrigins = new Origins(count(scene.shapes(), Shape.Plane.class));
@@ -135,7 +135,7 @@ final class SurfaceCompiler {
             ordered.add(spheres.get(bvh.order()[k]));
             settle(firstSlot + k, sphereOrigins, bvh.order()[k]);
         }
-        return new Spheres(ordered, firstSlot, bvh, lamps);
+        return new Spheres(ordered, firstSlot, bvh, viewpoints);
     }
 
     private Surfaces triangles() {
@@ -144,7 +144,7 @@ final class SurfaceCompiler {
         for (int k = 0; k < mesh.triangles(); k++) {
             settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
         }
-        return new Triangles(mesh, firstSlot, bvh, lamps, pool);
+        return new Triangles(mesh, firstSlot, bvh, viewpoints, pool);
     }
 
     private void settle(int slot, Origins from, int k) {

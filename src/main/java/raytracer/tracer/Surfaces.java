@@ -6,18 +6,8 @@ package raytracer.tracer;
  */
 sealed interface Surfaces permits Planes, BoundedSurfaces {
 
-    /**
-     * What records for every ray the nearest that it meets among these: {@link Rays#record}.
-     *
-     * @param eye where rays start, if they leave the eye
-     */
-    Pass finding(Rays rays, Lamp eye, Scratch scratch);
-
     /** Adds all of these that a ray meets no farther away than {@link Rays#reach}. */
-    void collect(Rays rays, int ray, Ties ties, Scratch scratch);
-
-    /** What closes every open shadow ray that one of these blocks between its ends. */
-    Pass blocking(Rays rays, ShadowRays shadows, Scratch scratch);
+    void collect(Rays rays, int ray, Candidates candidates, Workspace workspace);
 
     /** Whether a slot is one of these. */
     boolean owns(int slot);
@@ -29,5 +19,5 @@ sealed interface Surfaces permits Planes, BoundedSurfaces {
      * Takes rays, from one index to another, that have met these to where they met them: their origins become those
      * points, with bounds on their errors, and the normals are set.
      */
-    void arrive(Rays rays, int from, int to, Scratch scratch);
+    void arrive(Rays rays, int from, int to, Workspace workspace);
 }

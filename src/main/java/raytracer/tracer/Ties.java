@@ -9,12 +9,12 @@ import java.util.List;
  * u. Being equal within rounding is not transitive, so comparing surfaces in turns would let the order decide in which
  * a search finds them. Here all that are as near are found again, ray by ray; where nothing is, that costs nothing.
  */
-final class Ties {
+final class Ties implements Candidates {
 
     private final int[] declared;
     private final List<Surfaces> surfaces;
     private final Rays rays;
-    private final Scratch scratch;
+    private final Workspace workspace;
 
     // What the ray meets about where its nearest surface is.
     private int[] slots = new int[8];
@@ -23,11 +23,11 @@ final class Ties {
     private int count;
 
     /** @param declared by slot: the surface's number in the order of declaration */
-    Ties(int[] declared, List<Surfaces> surfaces, Rays rays, Scratch scratch) {
+    Ties(int[] declared, List<Surfaces> surfaces, Rays rays, Workspace workspace) {
         this.declared = declared;
         this.surfaces = surfaces;
         this.rays = rays;
-        this.scratch = scratch;
+        this.workspace = workspace;
     }
 
     /** Decides for all rays that have met several surfaces at about the same distance. */
@@ -46,7 +46,7 @@ final class Ties {
     private void settle(int ray) {
         count = 0;
         for (Surfaces kind : surfaces) {
-            kind.collect(rays, ray, this, scratch);
+            kind.collect(rays, ray, this, workspace);
         }
         double bound = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
@@ -62,8 +62,8 @@ final class Ties {
         rays.distance[ray] = distances[first];
     }
 
-    /** Adds a surface that the ray meets, and a bound on the error of the distance. */
-    void add(int slot, double distance, double error) {
+    @Override
+    public void add(int slot, double distance, double error) {
         if (count == slots.length) {
             slots = Arrays.copyOf(slots, 2 * count);
             distances = Arrays.copyOf(distances, 2 * count);

@@ -32,14 +32,14 @@ public final class TileTracer {
     private final Material[] material;
     private final int maxDepth;
 
-    private final Scratch scratch = new Scratch();
+    private final SearchWorkspace space = new SearchWorkspace();
     private final Rays rays;
     private final Ties ties;
     private final Pass aiming;
     private final Pass[] find;
     private final Groups groups;
     private final Shading shading;
-    private final int[] kept = new int[Rays.CAPACITY];
+    private final int[] kept = new int[Batch.CAPACITY];
 
     private final Pass starting = this::start;
 
@@ -64,15 +64,15 @@ public final class TileTracer {
         this.material = slots.material();
         this.maxDepth = maxDepth;
         rays = new Rays();
-        ties = new Ties(slots.declared(), surfaces, rays, scratch);
+        ties = new Ties(slots.declared(), surfaces, rays, space.surfaces());
         groups = new Groups(slots);
         this.pinhole = pinhole;
         aiming = pinhole.aiming(rays);
         find = new Pass[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
-            find[kind] = surfaces.get(kind).finding(rays, pinhole.lamp(), scratch);
+            find[kind] = NearestSearch.among(surfaces.get(kind), rays, pinhole.lamp(), space);
         }
-        shading = new Shading(surfaces, lamps, rays, scratch);
+        shading = new Shading(surfaces, lamps, rays, space);
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
@@ -103,7 +103,7 @@ public final class TileTracer {
 
     /** How many rays are traced together. */
     private static int most() {
-        return MET.get() < COLD_RAYS ? COLD_CAPACITY : Rays.CAPACITY;
+        return MET.get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
     }
 
     private void trace(int from, int to) {
@@ -157,7 +157,7 @@ public final class TileTracer {
             int first = rays.hit[groups.start(group)];
             for (Surfaces kind : surfaces) {
                 if (kind.owns(first)) {
-                    kind.arrive(rays, groups.start(group), groups.end(group), scratch);
+                    kind.arrive(rays, groups.start(group), groups.end(group), space.surfaces());
                     if (samples.path != null) {
                         extendPaths(groups.start(group), groups.end(group), kind.isOfOneSurface(), groups.look(group));
                     }

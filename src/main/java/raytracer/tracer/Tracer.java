@@ -13,7 +13,7 @@ import raytracer.scene.Scene;
 public final class Tracer {
 
     /** Pixels of a tile's side: the unit of work. */
-    public static final int TILE_SIDE = Rays.TILE_SIDE;
+    public static final int TILE_SIDE = Batch.SIDE;
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
@@ -38,9 +38,9 @@ public final class Tracer {
             for (Light light : scene.lights()) {
                 lamps.add(Lamp.of(light));
             }
-            List<Lamp> withEye = new ArrayList<>(lamps);
-            withEye.add(pinhole.lamp());
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, withEye, pool);
+            List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
+            lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, pool);
             List<Surfaces> surfaces = compiler.surfaces();
             return new Tracer(pinhole, surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth());
         } finally {

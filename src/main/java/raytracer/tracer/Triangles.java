@@ -49,8 +49,8 @@ final class Triangles extends BoundedSurfaces {
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
-    Triangles(Mesh mesh, int firstSlot, Bvh bvh, List<Lamp> lamps, ForkJoinPool pool) {
-        super(firstSlot, bvh, Hulls.of(mesh, bvh.order()), lamps);
+    Triangles(Mesh mesh, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints, ForkJoinPool pool) {
+        super(firstSlot, bvh, Hulls.of(mesh, bvh.order()), viewpoints);
         this.mesh = mesh;
         order = bvh.order();
         data = new double[Math.multiplyExact(STRIDE, order.length)];
@@ -128,31 +128,31 @@ final class Triangles extends BoundedSurfaces {
 
     @Override
     void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
-            double originError, double directionError, Scratch scratch) {
-        scratch.line.take(x, y, z, far, dx, dy, dz, originError * tree.scale(), directionError);
+            double originError, double directionError, Workspace workspace) {
+        workspace.line.take(x, y, z, far, dx, dy, dz, originError * tree.scale(), directionError);
     }
 
     @Override
-    int inSight(int first, int end, Scratch scratch) {
-        return sieve.let(scratch.line, first, end);
+    int inSight(int first, int end, Workspace workspace) {
+        return sieve.let(workspace.line, first, end);
     }
 
     @Override
-    void prepareToMeet(Rays rays, int from, int to, Scratch scratch) {
-        scratch.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
-        prepare(rays, rays.direction, rays.originError, from, to, scratch);
+    void prepareToMeet(Rays rays, int from, int to, Workspace workspace) {
+        workspace.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
+        prepare(rays, rays.direction, rays.originError, from, to, workspace);
     }
 
     @Override
-    void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Scratch scratch) {
-        scratch.directionError = 2 * Rounding.U;
-        prepare(rays, shadows.direction, shadows.originError, from, to, scratch);
+    void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
+        workspace.directionError = 2 * Rounding.U;
+        prepare(rays, shadows.direction, shadows.originError, from, to, workspace);
     }
 
-    private static void prepare(Rays rays, Vectors d, double[] originError, int from, int to, Scratch scratch) {
-        Vectors.cross(rays.origin, d, scratch.moment, from, to);
-        scratch.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
-        scratch.originError = greatest(originError, from, to);
+    private static void prepare(Rays rays, Vectors d, double[] originError, int from, int to, Workspace workspace) {
+        Vectors.cross(rays.origin, d, workspace.moment, from, to);
+        workspace.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
+        workspace.originError = greatest(originError, from, to);
     }
 
     private static double greatest(double[] values, int from, int to) {
@@ -164,9 +164,9 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    void meetAll(Rays rays, int from, int to, int k, Scratch scratch) {
-        double clear = passBy(rays.direction, from, to, k, scratch);
-        double[] product = scratch.square;
+    void meetAll(Rays rays, int from, int to, int k, Workspace workspace) {
+        double clear = passBy(rays.direction, from, to, k, workspace);
+        double[] product = workspace.square;
         for (int i = from; i < to; i++) {
             if (!(product[i] < clear)) {
                 meet(rays, i, k);
@@ -175,9 +175,9 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Scratch scratch) {
-        double clear = passBy(shadows.direction, from, to, k, scratch);
-        double[] product = scratch.square;
+    void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
+        double clear = passBy(shadows.direction, from, to, k, workspace);
+        double[] product = workspace.square;
         for (int i = from; i < to; i++) {
             if (shadows.open[i] && !(product[i] < clear)) {
                 shadows.open[i] = !blocks(rays, shadows, i, k);
@@ -186,24 +186,24 @@ final class Triangles extends BoundedSurfaces {
     }
 
     /**
-     * Computes for all rays the least product of two edges' sides, in {@link Scratch#square}: negative where a ray
+     * Computes for all rays the least product of two edges' sides, in {@link Workspace#square}: negative where a ray
      * passes edges on different sides. The sides are those of {@link #passesWithin}, but from the rays' moments about
      * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
      * digits, and is only a first sieve.
      *
      * @return rays are clear of the triangle if they have less than this
      */
-    private double passBy(Vectors d, int from, int to, int k, Scratch scratch) {
-        double[] ab = scratch.centreX, bc = scratch.centreY, ca = scratch.centreZ;
-        sides(k, 0, 1, d, ab, from, to, scratch);
-        sides(k, 1, 2, d, bc, from, to, scratch);
-        sides(k, 2, 0, d, ca, from, to, scratch);
-        Pass.run(new LeastProduct(ab, bc, ca, scratch.square), from, to);
+    private double passBy(Vectors d, int from, int to, int k, Workspace workspace) {
+        double[] ab = workspace.centreX, bc = workspace.centreY, ca = workspace.centreZ;
+        sides(k, 0, 1, d, ab, from, to, workspace);
+        sides(k, 1, 2, d, bc, from, to, workspace);
+        sides(k, 2, 0, d, ca, from, to, workspace);
+        Pass.run(new LeastProduct(ab, bc, ca, workspace.square), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
         double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
-                + scratch.farthest;
+                + workspace.farthest;
         double most = 4 * edges * reach;
-        return -most * SIEVE * Rounding.edge(scratch.originError, scratch.directionError, reach, edges);
+        return -most * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, reach, edges);
     }
 
     /** |x| + |y| + |z| of the edge between two corners. */
@@ -213,14 +213,14 @@ final class Triangles extends BoundedSurfaces {
     }
 
     /** By ray, the side of the edge e between two corners of sum s: d . (e x s) - 2 e . m. */
-    private void sides(int k, int a, int b, Vectors d, double[] out, int from, int to, Scratch scratch) {
+    private void sides(int k, int a, int b, Vectors d, double[] out, int from, int to, Workspace workspace) {
         double ax = corner(k, a, 0), ay = corner(k, a, 1), az = corner(k, a, 2);
         double bx = corner(k, b, 0), by = corner(k, b, 1), bz = corner(k, b, 2);
         double ex = bx - ax, ey = by - ay, ez = bz - az;
         double sx = ax + bx, sy = ay + by, sz = az + bz;
         // In one loop it would be too much for C2 to vectorise, see Pass.
         Pass.run(new Pass.DotWith(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, d, out), from, to);
-        Pass.run(new Pass.AddDotWith(-2 * ex, -2 * ey, -2 * ez, scratch.moment, out), from, to);
+        Pass.run(new Pass.AddDotWith(-2 * ex, -2 * ey, -2 * ez, workspace.moment, out), from, to);
     }
 
     /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */
@@ -359,7 +359,7 @@ final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int from, int to, Scratch scratch) {
+    public void arrive(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
             int k = number(rays.hit[i]);
             rays.arriveOnPlane(i, products(rays, i, k, rays.distance[i]), data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2]);

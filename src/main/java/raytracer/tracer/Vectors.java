@@ -4,7 +4,7 @@ package raytracer.tracer;
 record Vectors(double[] x, double[] y, double[] z) {
 
     Vectors() {
-        this(new double[Rays.CAPACITY], new double[Rays.CAPACITY], new double[Rays.CAPACITY]);
+        this(new double[Batch.CAPACITY], new double[Batch.CAPACITY], new double[Batch.CAPACITY]);
     }
 
     /** out = a x b */
@@ -20,28 +20,6 @@ record Vectors(double[] x, double[] y, double[] z) {
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
                 out[i] = ay[i] * bz[i] - az[i] * by[i];
-            }
-        }
-    }
-
-    /**
-     * Brings points from world space to a tree's: out = (world - centre) scale - eye.
-     *
-     * @param eyeX from where the points are seen, in the tree's space; so are the others
-     */
-    static void toTreeSpace(
-            Vectors world, Bvh tree, double eyeX, double eyeY, double eyeZ, Vectors out, int from, int to) {
-        Pass.run(new ToTreeSpace(world.x, tree.centreX(), tree.scale(), eyeX, out.x), from, to);
-        Pass.run(new ToTreeSpace(world.y, tree.centreY(), tree.scale(), eyeY, out.y), from, to);
-        Pass.run(new ToTreeSpace(world.z, tree.centreZ(), tree.scale(), eyeZ, out.z), from, to);
-    }
-
-    private record ToTreeSpace(double[] world, double centre, double scale, double eye, double[] out)
-            implements Pass {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                out[i] = (world[i] - centre) * scale - eye;
             }
         }
     }

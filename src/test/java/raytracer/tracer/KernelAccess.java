@@ -29,11 +29,11 @@ public final class KernelAccess {
         for (int slot = 0; slot < slotOf.length; slot++) {
             slotOf[compiler.slots().declared()[slot]] = slot;
         }
-        int count = (origin.length + Rays.CAPACITY - 1) / Rays.CAPACITY;
+        int count = (origin.length + Batch.CAPACITY - 1) / Batch.CAPACITY;
         tiles = new Rays[count];
-        slots = new int[count][Rays.CAPACITY];
+        slots = new int[count][Batch.CAPACITY];
         for (int i = 0; i < origin.length; i++) {
-            int tile = i / Rays.CAPACITY, ray = i % Rays.CAPACITY;
+            int tile = i / Batch.CAPACITY, ray = i % Batch.CAPACITY;
             if (ray == 0) {
                 tiles[tile] = new Rays();
             }
@@ -70,9 +70,9 @@ public final class KernelAccess {
 
     /** The distances of the last run; NaN where nothing is met. */
     public double[] distances() {
-        double[] all = new double[(tiles.length - 1) * Rays.CAPACITY + tiles[tiles.length - 1].count];
+        double[] all = new double[(tiles.length - 1) * Batch.CAPACITY + tiles[tiles.length - 1].count];
         for (int i = 0; i < all.length; i++) {
-            double t = tiles[i / Rays.CAPACITY].distance[i % Rays.CAPACITY];
+            double t = tiles[i / Batch.CAPACITY].distance[i % Batch.CAPACITY];
             all[i] = Double.isInfinite(t) ? Double.NaN : t;
         }
         return all;

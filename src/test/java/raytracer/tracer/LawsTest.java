@@ -160,7 +160,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        surfaces.finding(rays, null, new Scratch()).run(0, rays.count);
+        NearestSearch.among(surfaces, rays, null, new SearchWorkspace()).run(0, rays.count);
         return rays;
     }
 

@@ -110,7 +110,7 @@ class LightBufferTest {
 
     /** Points behind things, as the lamp sees them, are looked up; returns how many entries were to be tried. */
     private static long assertHasAllInTheWay(Bvh bvh, Hulls hulls, Lamp lamp, Random random) {
-        LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, lamp);
+        LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, new Viewpoint(lamp, null));
         assertNotNull(buffer);
         LightBuffer.Cells cells = new LightBuffer.Cells();
         Rays rays = new Rays();
@@ -205,20 +205,20 @@ class LightBufferTest {
         Random random = new Random(4);
         List<Shape.Sphere> large = spheres(random, ORIGIN, .7);
         Bvh bvh = tree(large);
-        assertNull(LightBufferBuilder.build(bvh, Hulls.of(inOrder(bvh, large)), lamp(false, new Vector(0, 2, 0))));
+        assertNull(LightBufferBuilder.build(bvh, Hulls.of(inOrder(bvh, large)), new Viewpoint(lamp(false, new Vector(0, 2, 0)), null)));
         List<Shape.Sphere> small = spheres(random, ORIGIN, .05);
         Bvh other = tree(small);
         Hulls hulls = Hulls.of(inOrder(other, small));
-        assertNull(LightBufferBuilder.build(other, hulls, lamp(false, new Vector(0, 3e6, 0))));
-        assertNotNull(LightBufferBuilder.build(other, hulls, lamp(false, new Vector(0, 3, 0))));
+        assertNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3e6, 0)), null)));
+        assertNotNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
     }
 
     @Test
     void isNotBuiltOfASingleLeaf() {
         List<Shape.Sphere> one = List.of(new Shape.Sphere(ORIGIN, 1, Material.DEFAULT));
         Bvh bvh = BvhBuilder.build(1, Spheres.bounds(one), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
-        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), lamp(false, new Vector(0, 3, 0))));
-        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), lamp(true, new Vector(0, 1, 0))));
+        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), new Viewpoint(lamp(true, new Vector(0, 1, 0)), null)));
     }
 
     @Test
@@ -226,7 +226,7 @@ class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(new Random(7), ORIGIN, .05);
         Bvh bvh = tree(spheres);
         LightBuffer buffer = LightBufferBuilder.build(
-                bvh, Hulls.of(inOrder(bvh, spheres)), lamp(false, new Vector(0, 3, 0)));
+                bvh, Hulls.of(inOrder(bvh, spheres)), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
         Rays rays = new Rays();
         rays.oy[1] = -3e6;
         assertTrue(buffer.reaches(rays, 0, 1));
@@ -238,7 +238,7 @@ class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(new Random(5), ORIGIN, .05);
         Bvh bvh = tree(spheres);
         Lamp lamp = lamp(false, new Vector(0, 3, 0));
-        LazyLightBuffer lazy = LazyLightBuffer.of(List.of(lamp), bvh, Hulls.of(inOrder(bvh, spheres))).get(lamp);
+        LazyLightBuffer lazy = LazyLightBuffer.of(List.of(new Viewpoint(lamp, null)), bvh, Hulls.of(inOrder(bvh, spheres))).get(lamp);
         // How many more it takes than there are things depends on what this process has built before.
         for (int walks = 10; walks < COUNT; walks += 10) {
             assertNull(lazy.insteadOfWalks(10));
@@ -256,11 +256,11 @@ class LightBufferTest {
         assertTrue(LazyLightBuffer.hasRoom(2_000_000, most, most - needed - 1));
     }
 
-    /** @param lamps that are to have buffers */
-    private static List<Surfaces> surfaces(List<Shape.Sphere> spheres, Mesh mesh, List<Lamp> lamps) {
+    /** @param viewpoints that are to have buffers */
+    private static List<Surfaces> surfaces(List<Shape.Sphere> spheres, Mesh mesh, List<Viewpoint> viewpoints) {
         Bvh curved = tree(spheres), flat = tree(mesh);
-        return List.of(new Spheres(inOrder(curved, spheres), 0, curved, lamps),
-                new Triangles(mesh, COUNT, flat, lamps, ForkJoinPool.commonPool()));
+        return List.of(new Spheres(inOrder(curved, spheres), 0, curved, viewpoints),
+                new Triangles(mesh, COUNT, flat, viewpoints, ForkJoinPool.commonPool()));
     }
 
     @ParameterizedTest(name = "blocks the same rays as the tree, from the moment that it is built: directional {0}")
@@ -270,18 +270,18 @@ class LightBufferTest {
         Lamp lamp = lamp(directional, directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3));
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
         Mesh mesh = triangles(random, ORIGIN, .1);
-        List<Surfaces> with = surfaces(spheres, mesh, List.of(lamp)), without = surfaces(spheres, mesh, List.of());
+        List<Surfaces> with = surfaces(spheres, mesh, List.of(new Viewpoint(lamp, null))), without = surfaces(spheres, mesh, List.of());
         int blocked = 0;
-        Scratch scratch = new Scratch();
+        SearchWorkspace space = new SearchWorkspace();
         // The last third of these are looked up.
         for (int tile = 0; tile < 3000; tile++) {
             Rays rays = start(random, with);
-            ShadowRays a = blocked(rays, with.get(tile % 2), lamp, scratch);
-            ShadowRays b = blocked(rays, without.get(tile % 2), lamp, scratch);
+            ShadowRays a = blocked(rays, with.get(tile % 2), lamp, space);
+            ShadowRays b = blocked(rays, without.get(tile % 2), lamp, space);
             assertTrue(Arrays.equals(a.open, b.open), "tile " + tile);
-            blocked += IntStream.range(0, Rays.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
+            blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
         }
-        assertTrue(blocked > 50_000 && blocked < 2900 * Rays.CAPACITY, blocked + " blocked");
+        assertTrue(blocked > 50_000 && blocked < 2900 * Batch.CAPACITY, blocked + " blocked");
     }
 
     @Test
@@ -291,23 +291,23 @@ class LightBufferTest {
         Bvh bvh = tree(spheres);
         Vector light = new Vector(0, 3, 0);
         Lamp lamp = lamp(false, light);
-        Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of(lamp));
+        Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of(new Viewpoint(lamp, null)));
         Spheres without = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of());
-        Scratch scratch = new Scratch();
+        SearchWorkspace space = new SearchWorkspace();
         for (int tile = 0; tile < 1100; tile++) {
-            blocked(start(random, List.of(with)), with, lamp, scratch);
+            blocked(start(random, List.of(with)), with, lamp, space);
         }
         int blocked = 0;
         for (int tile = 0; tile < 50; tile++) {
             // A beam has looked elsewhere last.
             Rays near = around(plus(light, 2, within(random, 1).minus(light)), .2, random, List.of(with));
             near.leaveEye = true;
-            blocked(near, with, lamp, scratch);
+            blocked(near, with, lamp, space);
             Rays far = around(plus(light, 3e6, within(random, 1).minus(light)), 1e5, random, List.of(with));
-            ShadowRays a = blocked(far, with, lamp, scratch);
-            ShadowRays b = blocked(far, without, lamp, new Scratch());
+            ShadowRays a = blocked(far, with, lamp, space);
+            ShadowRays b = blocked(far, without, lamp, new SearchWorkspace());
             assertTrue(Arrays.equals(a.open, b.open), "tile " + tile);
-            blocked += IntStream.range(0, Rays.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
+            blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
         }
         assertTrue(blocked > 1000, blocked + " blocked");
     }
@@ -322,7 +322,7 @@ class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06).stream()
                 .map(s -> new Shape.Sphere(s.centre().times(size), s.radius() * size, s.material())).toList();
         Mesh mesh = scaled(triangles(random, ORIGIN, .1), size);
-        List<Surfaces> with = surfaces(spheres, mesh, List.of(pinhole.lamp()));
+        List<Surfaces> with = surfaces(spheres, mesh, List.of(pinhole.viewpoint()));
         List<Surfaces> without = surfaces(spheres, mesh, List.of());
         for (Surfaces kind : with) {
             assertNotNull(((BoundedSurfaces) kind).lightBuffer(pinhole.lamp()).insteadOfWalks(300_000));
@@ -330,34 +330,34 @@ class LightBufferTest {
         int met = 0;
         int lookedUp = 0;
         // A rim of a pixel is looked at too.
-        for (int pixel = 0; pixel < 50 * 50; pixel += Rays.CAPACITY / 4) {
-            Scratch scratch = new Scratch();
-            Rays a = seen(pinhole, pixel, with, scratch), b = seen(pinhole, pixel, without, new Scratch());
+        for (int pixel = 0; pixel < 50 * 50; pixel += Batch.CAPACITY / 4) {
+            SearchWorkspace space = new SearchWorkspace();
+            Rays a = seen(pinhole, pixel, with, space), b = seen(pinhole, pixel, without, new SearchWorkspace());
             assertTrue(Arrays.equals(a.hit, b.hit), "pixel " + pixel);
             assertTrue(Arrays.equals(a.distance, b.distance), "pixel " + pixel);
             met += Arrays.stream(a.hit).map(slot -> slot == Rays.NONE ? 0 : 1).sum();
-            lookedUp += IntStream.range(0, Rays.CAPACITY).map(i -> scratch.cells.end[i] > 0 ? 1 : 0).sum();
+            lookedUp += IntStream.range(0, Batch.CAPACITY).map(i -> space.cells().end[i] > 0 ? 1 : 0).sum();
         }
         assertTrue(met > 500 && lookedUp > 1000, met + " met, " + lookedUp + " looked up");
     }
 
     /** What the eye sees in a quarter of a tile's pixels, in rows of 50, by 2 x 2 samples. */
-    private static Rays seen(Pinhole pinhole, int pixel, List<Surfaces> surfaces, Scratch scratch) {
+    private static Rays seen(Pinhole pinhole, int pixel, List<Surfaces> surfaces, SearchWorkspace space) {
         Samples samples = Samples.ofColour();
-        for (int i = 0; i < Rays.CAPACITY; i++) {
+        for (int i = 0; i < Batch.CAPACITY; i++) {
             int p = pixel + i / 4;
             SamplesTest.add(samples, p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
         }
         Rays rays = new Rays();
-        rays.start(pinhole.aiming(rays), null, samples, 0, Rays.CAPACITY);
+        rays.start(pinhole.aiming(rays), null, samples, 0, Batch.CAPACITY);
         rays.clearHits();
-        surfaces.forEach(kind -> kind.finding(rays, pinhole.lamp(), scratch).run(0, Rays.CAPACITY));
+        surfaces.forEach(kind -> NearestSearch.among(kind, rays, pinhole.lamp(), space).run(0, Batch.CAPACITY));
         return rays;
     }
 
     private static Rays around(Vector middle, double size, Random random, List<Surfaces> surfaces) {
         Rays rays = start(random, surfaces);
-        for (int i = 0; i < Rays.CAPACITY; i++) {
+        for (int i = 0; i < Batch.CAPACITY; i++) {
             Vector place = plus(middle, 1, within(random, size));
             rays.ox[i] = place.x();
             rays.oy[i] = place.y();
@@ -369,8 +369,8 @@ class LightBufferTest {
     /** Rays that have arrived all over the place. */
     private static Rays start(Random random, List<Surfaces> surfaces) {
         Rays rays = new Rays();
-        rays.count = Rays.CAPACITY;
-        for (int i = 0; i < Rays.CAPACITY; i++) {
+        rays.count = Batch.CAPACITY;
+        for (int i = 0; i < Batch.CAPACITY; i++) {
             rays.ox[i] = coordinate(random, 1.5);
             rays.oy[i] = coordinate(random, 1.5);
             rays.oz[i] = coordinate(random, 1.5);
@@ -379,12 +379,12 @@ class LightBufferTest {
         return rays;
     }
 
-    private static ShadowRays blocked(Rays rays, Surfaces surfaces, Lamp lamp, Scratch scratch) {
+    private static ShadowRays blocked(Rays rays, Surfaces surfaces, Lamp lamp, SearchWorkspace space) {
         ShadowRays shadows = new ShadowRays(rays);
-        shadows.start(0, Rays.CAPACITY);
-        shadows.aim(lamp, 0, Rays.CAPACITY);
+        shadows.start(0, Batch.CAPACITY);
+        shadows.aim(lamp, 0, Batch.CAPACITY);
         Arrays.fill(shadows.open, true);
-        surfaces.blocking(rays, shadows, scratch).run(0, Rays.CAPACITY);
+        BlockerSearch.among(surfaces, rays, shadows, space).run(0, Batch.CAPACITY);
         return shadows;
     }
 }

@@ -16,7 +16,7 @@ public final class Probe {
     private final List<Surfaces> surfaces;
     private final Rays rays;
     private final Ties ties;
-    private final Scratch scratch = new Scratch();
+    private final SearchWorkspace space = new SearchWorkspace();
 
     /** What a ray met: the shape's number in the order of declaration. */
     public record Meeting(int shape, double distance, Vector point, Vector normal) { }
@@ -27,7 +27,7 @@ public final class Probe {
         surfaces = compiler.surfaces();
         slots = compiler.slots();
         rays = new Rays();
-        ties = new Ties(slots.declared(), surfaces, rays, scratch);
+        ties = new Ties(slots.declared(), surfaces, rays, space.surfaces());
     }
 
     /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
@@ -65,7 +65,7 @@ public final class Probe {
         shadows.dz[0] = unit.z();
         shadows.open[0] = true;
         shadows.start(0, 1);
-        surfaces.forEach(kind -> kind.blocking(rays, shadows, scratch).run(0, 1));
+        surfaces.forEach(kind -> BlockerSearch.among(kind, rays, shadows, space).run(0, 1));
         return shadows.open[0];
     }
 
@@ -92,13 +92,13 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> kind.finding(rays, null, scratch).run(0, rays.count));
+        surfaces.forEach(kind -> NearestSearch.among(kind, rays, null, space).run(0, rays.count));
         ties.settle();
         int slot = rays.hit[0];
         if (slot == Rays.NONE) {
             return null;
         }
-        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.arrive(rays, 0, 1, scratch));
+        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.arrive(rays, 0, 1, space.surfaces()));
         return new Meeting(slots.declared()[slot], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }

@@ -43,9 +43,9 @@ class TiesTest {
             for (Light light : scene.lights()) {
                 lamps.add(Lamp.of(light));
             }
-            List<Lamp> withEye = new ArrayList<>(lamps);
-            withEye.add(pinhole.lamp());
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, withEye, ForkJoinPool.commonPool());
+            List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
+            lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, ForkJoinPool.commonPool());
             surfaces = compiler.surfaces();
             slots = compiler.slots();
             maxDepth = scene.maxDepth();
@@ -110,13 +110,13 @@ class TiesTest {
             for (double offset : OFFSETS) {
                 String text = family.scene(seed, offset, WIDTH, HEIGHT);
                 Searched scene = new Searched(text);
-                double[] tiled = scene.tiled(Rays.TILE_SIDE);
+                double[] tiled = scene.tiled(Batch.SIDE);
                 String name = family + " " + seed + " at " + offset;
                 assertArrayEquals(tiled, scene.tiled(1), name + ": one ray a tile");
                 assertArrayEquals(tiled, scene.scattered(), name + ": walks");
                 built += scene.buildLightBuffers();
                 assertArrayEquals(tiled, scene.scattered(), name + ": light buffers");
-                assertArrayEquals(tiled, scene.tiled(Rays.TILE_SIDE), name + ": again");
+                assertArrayEquals(tiled, scene.tiled(Batch.SIDE), name + ": again");
                 assertTrue(Arrays.stream(tiled).distinct().count() > 20, name + " is all alike");
             }
         }
