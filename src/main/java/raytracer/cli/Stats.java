@@ -9,7 +9,7 @@ import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
-import raytracer.tracer.TreeFacts;
+import raytracer.tracer.bvh.TreeFacts;
 
 /** The figures of one job, gathered as it goes. */
 final class Stats {

@@ -3,7 +3,7 @@ package raytracer.render;
 import java.util.stream.IntStream;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.Samples;
+import raytracer.tracer.rays.Samples;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 

@@ -2,7 +2,7 @@ package raytracer.render;
 
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.Samples;
+import raytracer.tracer.rays.Samples;
 import raytracer.tracer.TileTracer;
 
 /** Every pixel is the one sample at its centre: the colour goes on uncut, and no means are kept. */

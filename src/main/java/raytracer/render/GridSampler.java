@@ -2,7 +2,7 @@ package raytracer.render;
 
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.Samples;
+import raytracer.tracer.rays.Samples;
 import raytracer.tracer.TileTracer;
 
 /** Every pixel is the mean of n x n samples on a regular grid, each cut to [0, 1] as if it were a pixel's colour. */

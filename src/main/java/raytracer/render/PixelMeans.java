@@ -1,7 +1,7 @@
 package raytracer.render;
 
 import raytracer.tracer.PixelSink;
-import raytracer.tracer.Samples;
+import raytracer.tracer.rays.Samples;
 
 /** By pixel of a tile, the mean colour of its samples, and how much they differ. */
 final class PixelMeans {

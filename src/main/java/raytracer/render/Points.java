@@ -1,7 +1,7 @@
 package raytracer.render;
 
 import java.util.Arrays;
-import raytracer.tracer.Samples;
+import raytracer.tracer.rays.Samples;
 import raytracer.tracer.TileTracer;
 
 /** Points of the picture that are to be sampled, each for one pixel of a tile. */

@@ -2,7 +2,7 @@ package raytracer.render;
 
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.Samples;
+import raytracer.tracer.rays.Samples;
 import raytracer.tracer.TileTracer;
 
 /**

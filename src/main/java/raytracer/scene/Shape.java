@@ -29,5 +29,5 @@ public sealed interface Shape {
      * Triangles {@code first} to {@code first + count - 1} of the scene's mesh; runs follow one another in the mesh as
      * among the shapes, and leave none out. A run, not an object per triangle: a mesh may hold millions.
      */
-    record Triangles(int first, int count, Material material) implements Shape { }
+    public record Triangles(int first, int count, Material material) implements Shape { }
 }

@@ -1,5 +1,9 @@
 package raytracer.tracer;
 
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.rays.Rays;
+
 /**
  * Puts a tile's rays in order by the look of what they have met, so that all of a group arrive and are shaded by the
  * same rules and the same numbers. Most tiles have one or two groups.

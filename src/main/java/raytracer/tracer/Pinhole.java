@@ -4,6 +4,14 @@ import java.util.List;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.lightbuffer.Frustum;
+import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.Samples;
+import raytracer.tracer.rays.Window;
 
 /** The rays of a scene's camera. */
 final class Pinhole {

@@ -3,6 +3,16 @@ package raytracer.tracer;
 import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.Samples;
+import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.search.BlockerSearch;
+import raytracer.tracer.search.SearchWorkspace;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
 final class Shading {

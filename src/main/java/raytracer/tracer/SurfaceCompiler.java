@@ -9,6 +9,14 @@ import raytracer.scene.Material;
 import raytracer.scene.Mesh;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhBuilder;
+import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.primitive.Planes;
+import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.Spheres;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.primitive.Triangles;
 
 /** Sorts a scene's shapes by kind and gives each surface its slot: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {

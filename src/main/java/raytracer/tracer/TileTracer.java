@@ -5,6 +5,17 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.Samples;
+import raytracer.tracer.rays.Window;
+import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.search.Ties;
 
 /**
  * Traces tiles, one after the other, for one thread. All of a tile's rays take each step together: they find the

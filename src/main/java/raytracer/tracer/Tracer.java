@@ -5,6 +5,13 @@ import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Light;
 import raytracer.scene.Scene;
+import raytracer.tracer.bvh.TreeFacts;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.primitive.BoundedSurfaces;
+import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Lamp;
 
 /**
  * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size.

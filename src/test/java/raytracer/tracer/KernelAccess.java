@@ -5,6 +5,10 @@ import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.text.Scenes;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.primitive.BoundedSurfaces;
+import raytracer.tracer.rays.Rays;
 
 /**
  * The tracer's own kernels for benchmarks: each of many rays against one sphere or triangle of its own, without a tree

@@ -22,6 +22,13 @@ import raytracer.scene.Material;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.text.Scenes;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhBuilder;
+import raytracer.tracer.primitive.Spheres;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.SearchWorkspace;
 
 /** Laws that hold for every scene, whatever its picture is. */
 @DisplayName("A picture")

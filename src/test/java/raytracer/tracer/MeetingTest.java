@@ -11,6 +11,10 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import raytracer.scene.Colour;
 import raytracer.scene.Vector;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.search.Ties;
 
 @DisplayName("A ray")
 class MeetingTest {

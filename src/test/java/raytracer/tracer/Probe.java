@@ -6,6 +6,16 @@ import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.text.Scenes;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.search.BlockerSearch;
+import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.search.Ties;
 
 /** Shoots single rays at the shapes of a scene that a test writes down. */
 public final class Probe {

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.scene.Scene;
 import raytracer.text.Scenes;
+import raytracer.tracer.rays.Samples;
 
 @DisplayName("Samples that are traced together")
 class SamplesTest {

@@ -10,6 +10,11 @@ import raytracer.scene.Material;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhBuilder;
+import raytracer.tracer.bvh.BvhWalk;
+import raytracer.tracer.primitive.Spheres;
+import raytracer.tracer.primitive.Triangles;
 
 /**
  * A whole recursive tracer as in textbooks, for comparison: quadratic formula, Moeller-Trumbore, whatever comes first of

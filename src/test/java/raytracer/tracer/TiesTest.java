@@ -20,6 +20,13 @@ import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
 import raytracer.text.Scenes;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.primitive.BoundedSurfaces;
+import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Samples;
 
 @DisplayName("Of surfaces that rounding cannot tell apart")
 class TiesTest {

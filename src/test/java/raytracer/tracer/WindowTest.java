@@ -3,12 +3,14 @@ package raytracer.tracer;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.scene.Vector;
 import raytracer.text.Scenes;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.Samples;
+import raytracer.tracer.rays.Window;
 
 @DisplayName("A window in the picture")
 class WindowTest {

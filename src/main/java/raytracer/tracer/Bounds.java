@@ -1,9 +1,0 @@
-package raytracer.tracer;
-
-/** The axis-aligned boxes of numbered things. */
-@FunctionalInterface
-interface Bounds {
-
-    /** Writes the box of thing k: least x, y, z, then greatest x, y, z. */
-    void of(int k, double[] box);
-}

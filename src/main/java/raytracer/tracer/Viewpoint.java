@@ -1,9 +1,0 @@
-package raytracer.tracer;
-
-/**
- * From where a light buffer looks.
- *
- * @param source a light, or the eye in place of one
- * @param shown  what matters of what is seen; null if all does
- */
-record Viewpoint(Lamp source, Frustum shown) { }

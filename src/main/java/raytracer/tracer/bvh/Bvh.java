@@ -1,0 +1,74 @@
+package raytracer.tracer.bvh;
+
+/**
+ * A bounding volume hierarchy with four children a node, and a few things beside it that are too large for a tree to
+ * be of use: every ray tries those.
+ *
+ * <p>Boxes are floats in the tree's own space, in which the things fill the cube from -1 to 1: centred so that a scene
+ * far from the origin keeps its digits, and scaled by a power of two, so that a scene of another unit gets the same
+ * tree. They are conservative: {@link #PADDING} covers every rounding between a thing and a ray's test of its box.
+ *
+ * @param order    the things: those beside the tree, then those in the order of the leaves
+ * @param beside   how many are beside the tree
+ * @param nodes    {@link #NODE_STRIDE} numbers a node
+ * @param root     a node's number, a leaf, or {@link #EMPTY}
+ * @param scale    a power of two: tree space is (world - centre) * scale
+ */
+public record Bvh(int[] order, int beside, float[] nodes, int root,
+        double centreX, double centreY, double centreZ, double scale) {
+
+    public static final int WIDTH = 4;
+
+    /**
+     * Numbers of one node: axis by axis the middles of the four children's boxes, then half of their widths; then, as
+     * the bits of floats, the children; then nothing, so that a node takes up two lines of a cache.
+     */
+    public static final int NODE_STRIDE = 32;
+
+    /** From one axis to the next in a node, and from a box's middle to half of its width. */
+    public static final int AXIS_STRIDE = 2 * WIDTH;
+    public static final int HALF = WIDTH;
+
+    /** From the middle of a child's box on the first axis to the child. */
+    static final int CHILD = 3 * AXIS_STRIDE;
+
+    /** In place of a root. */
+    public static final int EMPTY = -1;
+
+    /** In tree space: from farther away, doubles are not exact enough for the boxes' padding. */
+    public static final double FARTHEST = 0x1p20;
+
+    /** The most things in a leaf. */
+    public static final int LEAF_SIZE = 8;
+
+    /**
+     * By how much each box is larger than what it holds, on every side, in tree space. With v = 2^-24, floats' unit
+     * roundoff, and coordinates up to 1: a corner rounds by v, an origin by v, the origin times the reciprocal of the
+     * direction by 2v, the distance to the plane through the box's middle by 2v, and the slab distances, at most
+     * 2 sqrt 3, by 2v of themselves: 13v in all. The rest, 5v, keeps a box in reach whose hit would tie with the
+     * nearest (a bound on rounding as in Ize, Robust BVH Ray Traversal, JCGT 2013, in which the padding is at the far
+     * distance instead).
+     */
+    public static final float PADDING = 18 * 0x1p-24f;
+
+    /**
+     * A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. Its bits are those of a
+     * float that is a number: of others, a processor need not keep them.
+     */
+    static int leaf(int first, int count) {
+        return Integer.MIN_VALUE | first * LEAF_SIZE + count - 1;
+    }
+
+    public static int leafFirst(int leaf) {
+        return (leaf & Integer.MAX_VALUE) / LEAF_SIZE;
+    }
+
+    public static int leafEnd(int leaf) {
+        return leafFirst(leaf) + (leaf & Integer.MAX_VALUE) % LEAF_SIZE + 1;
+    }
+
+    /** A child: a leaf, or a node's number, as is not negative. */
+    public int child(int at) {
+        return Float.floatToRawIntBits(nodes[at + CHILD]);
+    }
+}

@@ -1,0 +1,208 @@
+package raytracer.tracer.bvh;
+
+import java.util.Arrays;
+
+/**
+ * Splits ranges of things in two by the surface area heuristic: along the axis on which the boxes' centres spread most,
+ * at the best of the limits between {@link #BINS} bins (Wald, On fast Construction of SAH-based Bounding Volume
+ * Hierarchies, 2007). Boxes move together with their things, so that every pass reads memory in order. One object
+ * serves range after range.
+ */
+public final class Split {
+
+    private static final int BINS = 16;
+
+    /** Ranges shorter than this do with half as many. */
+    private static final int FEW = 24;
+
+    private final int[] things;
+    private final float[] boxes;
+    private final int offset;
+
+    private final int[] counts = new int[BINS];
+    private final float[][] bins = new float[BINS][6];
+    private final float[] rightAreas = new float[BINS];
+    private int used;
+    private float[] left;
+    private float[] right;
+
+    /**
+     * @param things things in some order, which splitting changes
+     * @param boxes  6 numbers a thing, from thing number {@code offset} of that order
+     */
+    Split(int[] things, float[] boxes, int offset) {
+        this.things = things;
+        this.boxes = boxes;
+        this.offset = offset;
+    }
+
+    /** Brings a range's things into the order of their side; returns where the second side starts, inside the range. */
+    int at(int from, int to) {
+        left = new float[6];
+        right = new float[6];
+        float[] centres = centres(from, to);
+        int axis = widest(centres);
+        float least = centres[axis];
+        float spread = centres[axis + 3] - least;
+        if (!(spread > 0)) {
+            return halve(from, to);
+        }
+        used = to - from < FEW ? BINS / 2 : BINS;
+        float binsPerUnit = used / spread;
+        fillBins(from, to, axis, least, binsPerUnit);
+        int bin = cheapest(to - from);
+        merge(0, bin, left);
+        merge(bin, used, right);
+        return partition(from, to, axis, least, binsPerUnit, bin);
+    }
+
+    float[] leftBox() {
+        return left;
+    }
+
+    float[] rightBox() {
+        return right;
+    }
+
+    float leftArea() {
+        return area(left);
+    }
+
+    float rightArea() {
+        return area(right);
+    }
+
+    /** Things whose centres coincide: any half will do. */
+    private int halve(int from, int to) {
+        int middle = (from + to) >>> 1;
+        enclose(from, middle, left);
+        enclose(middle, to, right);
+        return middle;
+    }
+
+    private void enclose(int from, int to, float[] box) {
+        clear(box);
+        for (int i = from; i < to; i++) {
+            extend(box, boxes, 6 * (i - offset));
+        }
+    }
+
+    /** The least and the greatest centres, doubled: the sums of two opposite sides. */
+    private float[] centres(int from, int to) {
+        float leastX = Float.POSITIVE_INFINITY, leastY = leastX, leastZ = leastX;
+        float greatestX = Float.NEGATIVE_INFINITY, greatestY = greatestX, greatestZ = greatestX;
+        for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
+            float x = boxes[i] + boxes[i + 3], y = boxes[i + 1] + boxes[i + 4], z = boxes[i + 2] + boxes[i + 5];
+            leastX = x < leastX ? x : leastX;
+            leastY = y < leastY ? y : leastY;
+            leastZ = z < leastZ ? z : leastZ;
+            greatestX = x > greatestX ? x : greatestX;
+            greatestY = y > greatestY ? y : greatestY;
+            greatestZ = z > greatestZ ? z : greatestZ;
+        }
+        return new float[] {leastX, leastY, leastZ, greatestX, greatestY, greatestZ};
+    }
+
+    private static int widest(float[] box) {
+        float x = box[3] - box[0], y = box[4] - box[1], z = box[5] - box[2];
+        return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    }
+
+    private int bin(int box, int axis, float least, float binsPerUnit) {
+        return Math.min(used - 1, (int) ((boxes[box + axis] + boxes[box + axis + 3] - least) * binsPerUnit));
+    }
+
+    private void fillBins(int from, int to, int axis, float least, float binsPerUnit) {
+        for (int bin = 0; bin < used; bin++) {
+            counts[bin] = 0;
+            clear(bins[bin]);
+        }
+        for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
+            int bin = bin(i, axis, least, binsPerUnit);
+            counts[bin]++;
+            extend(bins[bin], boxes, i);
+        }
+    }
+
+    /** The first bin of the right side for which the sum of both sides' count times surface is least. */
+    private int cheapest(int all) {
+        float[] box = new float[6];
+        clear(box);
+        for (int bin = used - 1; bin > 0; bin--) {
+            extend(box, bins[bin], 0);
+            rightAreas[bin] = area(box);
+        }
+        clear(box);
+        int best = 0;
+        float least = Float.POSITIVE_INFINITY;
+        int before = 0;
+        for (int bin = 1; bin < used; bin++) {
+            extend(box, bins[bin - 1], 0);
+            before += counts[bin - 1];
+            if (before > 0 && before < all) {
+                float cost = area(box) * before + rightAreas[bin] * (all - before);
+                if (cost < least) {
+                    least = cost;
+                    best = bin;
+                }
+            }
+        }
+        return best;
+    }
+
+    private int partition(int from, int to, int axis, float least, float binsPerUnit, int firstRight) {
+        int i = from;
+        int j = to;
+        while (true) {
+            while (i < j && bin(6 * (i - offset), axis, least, binsPerUnit) < firstRight) {
+                i++;
+            }
+            while (i < j && bin(6 * (j - 1 - offset), axis, least, binsPerUnit) >= firstRight) {
+                j--;
+            }
+            if (i == j) {
+                return i;
+            }
+            swap(i++, --j);
+        }
+    }
+
+    private void swap(int i, int j) {
+        int thing = things[i];
+        things[i] = things[j];
+        things[j] = thing;
+        for (int side = 0; side < 6; side++) {
+            int a = 6 * (i - offset) + side, b = 6 * (j - offset) + side;
+            float value = boxes[a];
+            boxes[a] = boxes[b];
+            boxes[b] = value;
+        }
+    }
+
+    private void merge(int fromBin, int toBin, float[] box) {
+        clear(box);
+        for (int bin = fromBin; bin < toBin; bin++) {
+            extend(box, bins[bin], 0);
+        }
+    }
+
+    private static void clear(float[] box) {
+        Arrays.fill(box, 0, 3, Float.POSITIVE_INFINITY);
+        Arrays.fill(box, 3, 6, Float.NEGATIVE_INFINITY);
+    }
+
+    private static void extend(float[] box, float[] from, int i) {
+        box[0] = Math.min(box[0], from[i]);
+        box[1] = Math.min(box[1], from[i + 1]);
+        box[2] = Math.min(box[2], from[i + 2]);
+        box[3] = Math.max(box[3], from[i + 3]);
+        box[4] = Math.max(box[4], from[i + 4]);
+        box[5] = Math.max(box[5], from[i + 5]);
+    }
+
+    /** Half of a box's surface; 0 for an empty box. */
+    private static float area(float[] box) {
+        float x = box[3] - box[0], y = box[4] - box[1], z = box[5] - box[2];
+        return x < 0 ? 0 : x * y + y * z + z * x;
+    }
+}

@@ -1,0 +1,221 @@
+package raytracer.tracer.kernel;
+
+import java.util.Arrays;
+
+/**
+ * Arithmetic on all of a tile's numbers or vectors, from one index up to before another. Each of its loops is so small
+ * that HotSpot's C2 turns it into vector instructions. It gives up on comparisons; and it packs into one instruction
+ * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of
+ * fewer on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
+ *
+ * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Pass, int, int)}, so that each kind
+ * is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times over,
+ * and be busy for seconds.
+ */
+public interface Pass {
+
+    void run(int from, int to);
+
+    /** Runs a pass without HotSpot's knowing of what kind it is, even in a method that has just made it. */
+    static void run(Pass pass, int from, int to) {
+        unknown(pass, 2).run(from, to);
+    }
+
+    /** Into itself, HotSpot compiles a method once (-XX:MaxRecursiveInlineLevel), so the last of three calls stays. */
+    private static Pass unknown(Pass pass, int deeper) {
+        return deeper > 0 ? unknown(pass, deeper - 1) : pass;
+    }
+
+    /** One pass after the other. */
+    record InTurn(Pass... passes) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (Pass pass : passes) {
+                // Not by way of run: here HotSpot has seen passes of any kind.
+                pass.run(from, to);
+            }
+        }
+    }
+
+    /** a = value */
+    record Fill(double[] a, double value) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            Arrays.fill(a, from, to, value);
+        }
+    }
+
+    /** out = a - b */
+    static Pass subtract(Vectors a, Vectors b, Vectors out) {
+        return new InTurn(new Subtract(a.x(), b.x(), out.x()), new Subtract(a.y(), b.y(), out.y()),
+                new Subtract(a.z(), b.z(), out.z()));
+    }
+
+    /** out = a - b */
+    record Subtract(double[] a, double[] b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = a[i] - b[i];
+            }
+        }
+    }
+
+    /** out = a + b */
+    record Add(double[] a, double[] b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = a[i] + b[i];
+            }
+        }
+    }
+
+    /** out = a + factor t b */
+    static Pass addProduct(Vectors a, double factor, double[] t, Vectors b, Vectors out) {
+        return new InTurn(new AddProduct(a.x(), factor, t, b.x(), out.x()),
+                new AddProduct(a.y(), factor, t, b.y(), out.y()), new AddProduct(a.z(), factor, t, b.z(), out.z()));
+    }
+
+    /** out = a + factor t b */
+    record AddProduct(double[] a, double factor, double[] t, double[] b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = a[i] + factor * t[i] * b[i];
+            }
+        }
+    }
+
+    /** out = a . b */
+    record Dot(Vectors a, Vectors b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] ax = a.x(), ay = a.y(), az = a.z(), bx = b.x(), by = b.y(), bz = b.z();
+            for (int i = from; i < to; i++) {
+                out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i];
+            }
+        }
+    }
+
+    /** out = a . v, where a is the same for all. */
+    record DotWith(double ax, double ay, double az, Vectors v, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                out[i] = ax * x[i] + ay * y[i] + az * z[i];
+            }
+        }
+    }
+
+    /** out += a . v, where a is the same for all. */
+    record AddDotWith(double ax, double ay, double az, Vectors v, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                out[i] += ax * x[i] + ay * y[i] + az * z[i];
+            }
+        }
+    }
+
+    /** out = |v|, as the root of squares. */
+    record Length(Vectors v, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                out[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+            }
+        }
+    }
+
+    /** out = |x| + |y| + |z| */
+    record Reach(Vectors v, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                out[i] = Math.abs(x[i]) + Math.abs(y[i]) + Math.abs(z[i]);
+            }
+        }
+    }
+
+    /**
+     * v /= length, by way of the reciprocal, whose rounding changes the length alone and not the direction. The zero
+     * vector stays what it is.
+     */
+    record DivideByLength(Vectors v, double[] length) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] x = v.x(), y = v.y(), z = v.z();
+            for (int i = from; i < to; i++) {
+                double reciprocal = 1 / Math.max(length[i], Double.MIN_NORMAL);
+                x[i] *= reciprocal;
+                y[i] *= reciprocal;
+                z[i] *= reciprocal;
+            }
+        }
+    }
+
+    /** out = a / b, where b is not negative; nothing by nothing is nothing. */
+    record Divide(double[] a, double[] b, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                out[i] = a[i] / Math.max(b[i], Double.MIN_NORMAL);
+            }
+        }
+    }
+
+    /** a *= b */
+    record Multiply(double[] a, double[] b) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] *= b[i];
+            }
+        }
+    }
+
+    /** a = factor a + term */
+    record Linear(double[] a, double factor, double term) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = factor * a[i] + term;
+            }
+        }
+    }
+
+    /** a = 1 / a */
+    record Invert(double[] a) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = 1 / a[i];
+            }
+        }
+    }
+
+    /** Cuts to [0, 1]. */
+    record Cut(double[] a) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = Math.min(1, Math.max(0, a[i]));
+            }
+        }
+    }
+
+    /** a = min(a, most) */
+    record Limit(double[] a, double[] most) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = Math.min(a[i], most[i]);
+            }
+        }
+    }
+}

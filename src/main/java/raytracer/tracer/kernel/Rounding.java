@@ -1,0 +1,260 @@
+package raytracer.tracer.kernel;
+
+
+/**
+ * Bounds on the rounding errors of the tracer's arithmetic. They take the place of epsilons: each grows with the
+ * numbers that entered a computation, so a scene scaled by a power of two is decided in the same way, bit for bit.
+ * First-order analysis after Higham, Accuracy and Stability of Numerical Algorithms (2002), chapter 3, and pbrt-v4,
+ * section 6.8; u is the unit roundoff and second-order terms are covered by rounding the factors up.
+ */
+public final class Rounding {
+
+    /** The unit roundoff of double: half the distance from 1 to the next. */
+    public static final double U = 0x1p-53;
+
+    /** The square root of 3, rounded up: how far a point can be when each coordinate is off by at most 1. */
+    private static final double DIAGONAL = 1.7320508075688774;
+
+    /**
+     * Relative to the distance: hits closer to one another than this may be a tie, which is decided by the
+     * bounds on their errors. It is more than twice {@link #GREATEST_TIE}, so that none is overlooked.
+     */
+    public static final double TIE_SIEVE = 0x1p-20;
+
+    /**
+     * Relative to the distance: a greater error is not granted to a hit that is compared with others. Only hits that
+     * graze by less than a millionth of a radian have one.
+     */
+    private static final double GREATEST_TIE = 0x1p-22;
+
+    /** Bounds the error of each coordinate of a ray from the eye: scaled basis, products, sums and normalising. */
+    public static final double EYE_DIRECTION = 5 * U;
+
+    private Rounding() { }
+
+    /** Bounds the error of a distance for comparing it with others. */
+    public static double tie(double distanceError, double distance) {
+        return Math.min(distanceError, GREATEST_TIE * distance);
+    }
+
+    /**
+     * Bounds the error of (point - origin) . normal, a unit normal: differences, the normal, products and sums round by
+     * 5u of the products' magnitudes.
+     *
+     * @param originError how far off the origin may be
+     * @param products    |x nx| + |y ny| + |z nz| of point - origin, or more
+     */
+    public static double planeOffset(double originError, double products) {
+        return originError + 5 * U * products;
+    }
+
+    /**
+     * Bounds the error of direction . normal, of unit vectors: 4u from the normal, products and sums, and the
+     * direction's own. A ray whose cosine is not above it counts as parallel to the plane: not even the sign is known.
+     *
+     * @param directionError of each coordinate of the direction
+     */
+    public static double cosine(double directionError) {
+        return DIAGONAL * directionError + 4 * U;
+    }
+
+    /**
+     * Bounds the error of the distance at which a ray meets a plane: that of the offset, and the distance times that of
+     * the cosine, both divided by the cosine.
+     */
+    public static double planeDistance(
+            double originError, double directionError, double products, double distance, double cosine) {
+        return (planeOffset(originError, products) + distance * cosine(directionError)) / Math.abs(cosine);
+    }
+
+    /**
+     * Bounds how far a computed point, origin + distance * direction, is from the ray that it is meant to be on: the
+     * direction's own error, as it leaves the eye, and 2u of the distance and u of the point from product and sum.
+     * How far the point may be off along the ray is the distance's error, which is kept apart: a grazing ray has a
+     * large one, which does not bring the point nearer to anything that is parallel to the ray.
+     *
+     * @param position |x| + |y| + |z| of the computed point
+     */
+    public static double point(double distance, double position) {
+        return U * (13 * distance + position);
+    }
+
+    /**
+     * Bounds the error of direction . (edge x (a + b)), a and b being the edge's ends seen from the origin: the ends
+     * round by u and the sum by 2u of their distance, products and sums by 6u of theirs times the edge, all of it twice
+     * at most; where the ray is off by some length, the result is by that times twice the edge.
+     *
+     * @param reach |x| + |y| + |z| of the farther end
+     * @param edge  |x| + |y| + |z| of the edge, or more
+     */
+    public static double edge(double originError, double directionError, double reach, double edge) {
+        return edge * (24 * U * reach + 2 * (originError + DIAGONAL * directionError * reach));
+    }
+
+    /**
+     * Bounds the error of the power of an origin near a sphere, |origin - centre|^2 - r^2, due to the origin's errors.
+     *
+     * @param slide how far the origin may be off along some direction
+     * @param along that direction . (origin - centre)
+     */
+    public static double power(double originError, double radius, double slide, double along) {
+        return 2 * (radius * originError + slide * Math.abs(along)) + slide * slide;
+    }
+
+    /**
+     * Bounds the error of the power of a point as it is computed without {@link PowerOfPoint}: 2u from differences, u
+     * from squares and 3u from sums.
+     *
+     * @param square |point - centre|^2
+     */
+    public static double plainPower(double square, double radius) {
+        return 8 * U * (square + radius * radius);
+    }
+
+    /**
+     * Bounds the error of the power of a ray's origin as it is computed from (direction . (origin - centre))^2 and
+     * r^2 - p^2, p being the perpendicular from the centre to the ray: 22u of |origin - centre|^2 from the first, 40u
+     * from the second and 4u from the direction's length; p^2 is at most 5/4 r^2.
+     */
+    public static double passingPower(double alongSquare, double radiusSquare) {
+        return 96 * U * (alongSquare + radiusSquare);
+    }
+
+    /**
+     * Bounds by how much a ray is off where it passes a sphere, but for 9u of the radius: {@link #sphereSquare} over
+     * 2 r, of rays whose perpendicular is not much longer than r.
+     *
+     * @param along direction . (origin - centre)
+     */
+    public static double passing(double along, double originError) {
+        return originError + 9 * U * Math.abs(along);
+    }
+
+    /**
+     * Bounds the error of direction . (origin - centre): 3u of the offset, and the errors of both.
+     *
+     * @param reach |x| + |y| + |z| of origin - centre
+     */
+    public static double along(double originError, double directionError, double reach) {
+        return (3 * U + directionError) * reach + originError;
+    }
+
+    /**
+     * Bounds the error of r^2 - p^2, p being the perpendicular from the centre to the ray: each of its coordinates
+     * rounds by 3u of the offset and is off as the ray is at its foot, so the difference is off by 2r times that and
+     * 2u r^2. (As far as r and p are alike: where they are not, the sign is beyond doubt.)
+     */
+    public static double sphereSquare(double originError, double directionError, double reach, double radius, double along) {
+        double foot = originError + DIAGONAL * directionError * Math.abs(along);
+        return 2 * radius * (foot + U * (3 * reach + radius));
+    }
+
+    /**
+     * Bounds the error of the same number computed as (direction . (origin - centre))^2 less the origin's power: less
+     * than {@link #sphereSquare} where a ray starts close to a huge sphere and nearly along it.
+     *
+     * @param alongError  of direction . (origin - centre)
+     * @param powerError  of the origin's power, which also rounds by u
+     */
+    public static double tangentSquare(double along, double alongError, double power, double powerError) {
+        return alongError * (2 * Math.abs(along) + alongError) + powerError + 2 * U * (along * along + Math.abs(power));
+    }
+
+    /**
+     * Bounds the error of the distance at which a ray meets a sphere. Half the chord and the distance to its middle
+     * round by what their terms do; a distance that is the power over their sum only in proportion. Where the ray is
+     * off by some length, it meets the sphere off by that over the cosine, which is half the chord over the radius.
+     *
+     * @param half  half the chord, the root of r^2 - p^2
+     * @param along direction . (origin - centre)
+     */
+    public static double sphereDistance(double originError, double directionError, double reach, double radius, double half,
+            double along, double distance) {
+        double sum = half + Math.abs(along);
+        double rounding = (root(sphereSquare(0, 0, reach, radius, along), half) + 3 * U * (reach + sum))
+                * Math.min(1, distance / sum);
+        double ray = originError + DIAGONAL * directionError * distance;
+        return rounding + root(2 * radius * ray, half) + U * distance;
+    }
+
+    /** Bounds the error of the distance from where a ray has arrived to a lamp, but for the origin's own. */
+    public static double lampDistance(double positionError, double distance) {
+        return positionError + 4 * U * distance;
+    }
+
+    /** Bounds the error of a root of a square that is off by so much. */
+    private static double root(double square, double root) {
+        return Math.min(square / (2 * root), Math.sqrt(square));
+    }
+
+    /**
+     * Bounds how far off along their rays points are where these have met spheres: the {@linkplain #sphereDistance
+     * distances}' errors of rays whose directions are off as those from the eye.
+     *
+     * @param reach |x| + |y| + |z| of origin - centre; is overwritten, as is part
+     */
+    public static Pass sphereSlide(
+            double[] reach, double[] radius, double[] along, double[] distance, double[] part, double[] out) {
+        return new Pass.InTurn(
+                new PartOfRounding(along, distance, out, part),
+                new OfDistance(reach, distance, part, out),
+                new Squares(reach, radius, distance, part),
+                new AddRoots(reach, along, distance, out));
+    }
+
+    /** The part of rounding errors that a distance has which is the power over a sum. */
+    private record PartOfRounding(double[] along, double[] distance, double[] sum, double[] part) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                sum[i] = Math.abs(distance[i] + along[i]) + Math.abs(along[i]);
+                part[i] = Math.min(1, distance[i] / sum[i]);
+            }
+        }
+    }
+
+    /** The distance's linear part, in place of the sum. */
+    private record OfDistance(double[] reach, double[] distance, double[] part, double[] sum) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                sum[i] = U * (3 * (reach[i] + sum[i]) * part[i] + distance[i]);
+            }
+        }
+    }
+
+    /** The errors under the root, in place of the reach. */
+    private record Squares(double[] reach, double[] radius, double[] distance, double[] part) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                reach[i] = 2 * radius[i]
+                        * (U * (3 * reach[i] + radius[i]) * part[i] + DIAGONAL * EYE_DIRECTION * distance[i]);
+            }
+        }
+    }
+
+    /** Two errors are under the root together; apart, their roots add up to the root of 2 times that at most. */
+    private record AddRoots(double[] square, double[] along, double[] distance, double[] out) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                double half = Math.abs(distance[i] + along[i]);
+                out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));
+            }
+        }
+    }
+
+    /** {@link #point}, of many; and their normals' errors, which the points' cause on a sphere. */
+    public record SpherePoint(double[] distance, double[] position, double[] slide, double[] radius, double[] originError,
+            double[] normalError) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                double error = U * (13 * distance[i] + position[i]);
+                originError[i] = error;
+                normalError[i] = (error + slide[i]) / radius[i] + 4 * U;
+            }
+        }
+    }
+}

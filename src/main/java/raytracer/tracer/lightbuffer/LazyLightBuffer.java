@@ -1,0 +1,96 @@
+package raytracer.tracer.lightbuffer;
+
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.rays.Lamp;
+
+/**
+ * A {@link LightBuffer} that is built as soon as the walks through the tree that it would have spared have taken as
+ * long as it takes to build: so however many are still to come, at most twice the time is taken that hindsight would
+ * (the ski rental problem; Karlin et al., Competitive Snoopy Caching, 1988). Pixels do not depend on when it is.
+ * Threads share it.
+ */
+public final class LazyLightBuffer {
+
+    /**
+     * It takes about as long to build as a walk for each thing, and as so many more while the code that builds it is
+     * cold: one fewer for each thing that it has sorted.
+     */
+    private static final int COLD_WALKS = 250_000;
+
+    /** By any buffer: HotSpot too counts for the whole process. */
+    private static final AtomicLong SORTED = new AtomicLong();
+
+    /** Whether any is being built: one at a time, or each would count on the same memory. */
+    private static final AtomicBoolean BUILDING = new AtomicBoolean();
+
+    /** Of the memory that there may be, what is left for all else: one part in so many. */
+    private static final int LEFT = 4;
+
+    private final Bvh bvh;
+    private final Hulls hulls;
+    private final Viewpoint viewpoint;
+    private final AtomicLong walks = new AtomicLong();
+    private volatile boolean begun;
+    private volatile LightBuffer buffer;
+
+    private LazyLightBuffer(Bvh bvh, Hulls hulls, Viewpoint viewpoint) {
+        this.bvh = bvh;
+        this.hulls = hulls;
+        this.viewpoint = viewpoint;
+    }
+
+    /** By lamp, which are told apart as objects. */
+    public static Map<Lamp, LazyLightBuffer> of(List<Viewpoint> viewpoints, Bvh bvh, Hulls hulls) {
+        Map<Lamp, LazyLightBuffer> buffers = new IdentityHashMap<>();
+        for (Viewpoint viewpoint : viewpoints) {
+            buffers.put(viewpoint.source(), new LazyLightBuffer(bvh, hulls, viewpoint));
+        }
+        return buffers;
+    }
+
+    private boolean hasRoom() {
+        Runtime java = Runtime.getRuntime();
+        return hasRoom(bvh.order().length, java.maxMemory(), java.totalMemory() - java.freeMemory());
+    }
+
+    /** Whether there is memory to build one of so many things: it is worth some time, but no failure. */
+    static boolean hasRoom(int things, long most, long used) {
+        return LightBufferBuilder.MOST_BYTES * things < most - used - most / LEFT;
+    }
+
+    /** The buffer; null if it is not there. */
+    public LightBuffer ifBuilt() {
+        return buffer;
+    }
+
+    /** The buffer, to use instead of so many walks; null if it is not there. */
+    public LightBuffer insteadOfWalks(int rays) {
+        if (!begun && walks.addAndGet(rays) >= due() && BUILDING.compareAndSet(false, true)) {
+            try {
+                build();
+            } finally {
+                BUILDING.set(false);
+            }
+        }
+        return buffer;
+    }
+
+    private long due() {
+        return bvh.order().length + Math.max(0, COLD_WALKS - SORTED.get());
+    }
+
+    private void build() {
+        if (!begun) {
+            begun = true;
+            if (hasRoom()) {
+                buffer = LightBufferBuilder.build(bvh, hulls, viewpoint);
+                SORTED.addAndGet(bvh.order().length);
+            }
+        }
+    }
+}

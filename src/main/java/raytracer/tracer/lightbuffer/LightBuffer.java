@@ -1,0 +1,143 @@
+package raytracer.tracer.lightbuffer;
+
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.rays.Rays;
+
+/**
+ * The things of a {@link Bvh} by the direction in which a lamp sees them: whatever may be in a shadow ray's way is in
+ * the one cell in which the lamp sees where the ray starts (Haines and Greenberg, The Light Buffer: A Shadow-Testing
+ * Accelerator, 1986). If the lamp is the eye, what is ahead of a ray from there is in one cell (Weghorst, Hooper and
+ * Greenberg, Improved Computational Methods for Ray Tracing, 1984). Trying those takes half of the time of a walk
+ * through the tree, or less.
+ *
+ * <p>Everything is in the tree's space and in double, of points not too far away, so that errors
+ * are far below the boxes' padding; things are taken for larger by as much.
+ */
+public final class LightBuffer {
+
+    private final Bvh bvh;
+    private final boolean directional;
+    private final double lampX;
+    private final double lampY;
+    private final double lampZ;
+    private final Face[] faces;
+
+    /** By cell, where its entries begin; they end where the next one's begin. */
+    private final int[] start;
+
+    /** Things, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
+    private final long[] entries;
+
+    LightBuffer(Bvh bvh, double[] lamp, Face[] faces, int[] start, long[] entries) {
+        this.bvh = bvh;
+        lampX = lamp[0];
+        lampY = lamp[1];
+        lampZ = lamp[2];
+        this.faces = faces;
+        directional = faces.length == 1;
+        this.start = start;
+        this.entries = entries;
+    }
+
+    /** By ray: where it starts, in the tree's space and as the lamp sees it, and the entries of the cell there. */
+    public static final class Cells {
+        public final double[] x = new double[Batch.CAPACITY];
+        public final double[] y = new double[Batch.CAPACITY];
+        public final double[] z = new double[Batch.CAPACITY];
+        /** The {@link #key} of the depth beyond which nothing matters. */
+        private final int[] depth = new int[Batch.CAPACITY];
+        /** By how much the depth grows along a ray, in the tree's space, for each unit in the world's. */
+        private final double[] depthPerDistance = new double[Batch.CAPACITY];
+        public final int[] first = new int[Batch.CAPACITY];
+        public final int[] end = new int[Batch.CAPACITY];
+        private long touched;
+    }
+
+    /** Whether all rays, from one index to another, start near enough to be looked up. */
+    public boolean reaches(Rays rays, int from, int to) {
+        double farthest = 0;
+        for (int i = from; i < to; i++) {
+            double x = Math.abs(rays.ox[i] - bvh.centreX()), y = Math.abs(rays.oy[i] - bvh.centreY());
+            double z = Math.abs(rays.oz[i] - bvh.centreZ());
+            farthest = Math.max(farthest, Math.max(x, Math.max(y, z)));
+        }
+        return farthest * bvh.scale() < Bvh.FARTHEST;
+    }
+
+    /** Finds the cells in which the lamp sees the points where rays start. */
+    public void find(Rays rays, int from, int to, Cells cells) {
+        for (int i = from; i < to; i++) {
+            find(rays.ox[i], rays.oy[i], rays.oz[i], i, cells);
+        }
+        touch(cells, from, to);
+    }
+
+    /** Loads each cell's first entry, for nothing but that the processor waits for many of them at the same time. */
+    private void touch(Cells cells, int from, int to) {
+        long sum = 0;
+        for (int i = from; i < to; i++) {
+            sum += entries[cells.first[i]];
+        }
+        cells.touched = sum;
+    }
+
+    private void find(double worldX, double worldY, double worldZ, int ray, Cells cells) {
+        double treeX = (worldX - bvh.centreX()) * bvh.scale();
+        double treeY = (worldY - bvh.centreY()) * bvh.scale();
+        double treeZ = (worldZ - bvh.centreZ()) * bvh.scale();
+        cells.x[ray] = treeX;
+        cells.y[ray] = treeY;
+        cells.z[ray] = treeZ;
+        double x = treeX - lampX, y = treeY - lampY, z = treeZ - lampZ;
+        Face face = faces[directional ? 0 : Face.number(x, y, z)];
+        // Rounding keeps the order, and entries' depths have been rounded down.
+        cells.depth[ray] = key((float) face.depth(x, y, z));
+        find(face.cell(x, y, z), ray, cells);
+    }
+
+    /** Finds the cells through which rays go that start at the lamp: it is the eye. */
+    public void findAhead(Rays rays, int from, int to, Cells cells) {
+        for (int i = from; i < to; i++) {
+            cells.x[i] = lampX;
+            cells.y[i] = lampY;
+            cells.z[i] = lampZ;
+            double x = rays.dx[i], y = rays.dy[i], z = rays.dz[i];
+            Face face = faces[Face.number(x, y, z)];
+            cells.depthPerDistance[i] = face.depth(x, y, z) * bvh.scale();
+            find(face.cell(x, y, z), i, cells);
+            limit(rays.reach(i), i, cells);
+        }
+        touch(cells, from, to);
+    }
+
+    private void find(int cell, int ray, Cells cells) {
+        cells.first[ray] = cell < 0 ? 0 : start[cell];
+        cells.end[ray] = cell < 0 ? 0 : start[cell + 1];
+    }
+
+    /** Nothing farther away along a ray from the eye matters any more; rounded up. */
+    public void limit(double distance, int ray, Cells cells) {
+        cells.depth[ray] = key((float) (distance * cells.depthPerDistance[ray] * (1 + 0x1p-22)));
+    }
+
+    /** Whether part of an entry's thing may be nearer to the lamp than what matters: if not, none after it is. */
+    public boolean isNearer(int entry, int ray, Cells cells) {
+        return (int) (entries[entry] >> 32) <= cells.depth[ray];
+    }
+
+    public int thing(int entry) {
+        return (int) entries[entry];
+    }
+
+    /** @param nearest the {@link #key} of its least depth */
+    static long entry(int thing, int nearest) {
+        return (long) nearest << 32 | thing;
+    }
+
+    /** A float's bits, of a negative one those of its magnitude turned: they are in order as the floats are. */
+    static int key(float depth) {
+        int bits = Float.floatToRawIntBits(depth);
+        return bits ^ bits >> 31 & Integer.MAX_VALUE;
+    }
+}

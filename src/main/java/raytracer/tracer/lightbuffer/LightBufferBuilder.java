@@ -1,0 +1,225 @@
+package raytracer.tracer.lightbuffer;
+
+import java.util.Arrays;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.rays.Lamp;
+
+/**
+ * Builds {@link LightBuffer}s: it is noted which things are seen in which cells, and counted how many in each; then
+ * they are sorted in. Which parts of the faces they take up is known from the tree's boxes.
+ */
+public final class LightBufferBuilder {
+
+    /** If things are in more cells than this on average, they are too large for cells to be of use. */
+    private static final int MOST_ENTRIES = 10;
+
+    /** The most memory that building takes for a thing: of its entries, noted and sorted, and twice of its cell. */
+    static final long MOST_BYTES = MOST_ENTRIES * (Integer.BYTES + Long.BYTES) + 3 * Integer.BYTES + 2 * Integer.BYTES;
+
+    /** And so they are if the boxes around their outlines have more cells than this. */
+    private static final int MOST_TRIED = 64;
+
+    /** How far down the tree the boxes are that show which parts of the faces it takes up: of 4^5 at most. */
+    private static final int LEVELS = 4;
+
+    private final Bvh bvh;
+    private final Hulls hulls;
+    /** In the tree's space. */
+    private final double[] lamp;
+    private final Face[] faces;
+    private final Frustum shown;
+    private final int count;
+    private final Hulls.Batch batch = new Hulls.Batch();
+    private final Outline outline = new Outline();
+
+    /** By thing and face: the thing, the key of its least depth, in how many cells it is seen there, and in which. */
+    private final Tape sightings = new Tape();
+
+    /** By cell: how many things are there; then where the next entry goes. */
+    private int[] next;
+    private long tried;
+    private long entries;
+    private long[] sorted;
+
+    private LightBufferBuilder(Bvh bvh, Hulls hulls, double[] lamp, Face[] faces, Frustum shown) {
+        this.bvh = bvh;
+        this.hulls = hulls;
+        this.lamp = lamp;
+        this.faces = faces;
+        this.shown = shown;
+        count = bvh.order().length - bvh.beside();
+    }
+
+    /**
+     * Sorts the things of a tree by where a lamp sees them.
+     *
+     * @param hulls by number in the tree's order
+     * @return null if that would be no use
+     */
+    static LightBuffer build(Bvh bvh, Hulls hulls, Viewpoint from) {
+        if (bvh.root() < 0) {
+            return null;
+        }
+        Lamp of = from.source();
+        if (of.directional()) {
+            Face[] faces = {Face.of(of.x(), of.y(), of.z())};
+            return new LightBufferBuilder(bvh, hulls, new double[3], faces, null).build();
+        }
+        double[] lamp = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
+            (of.z() - bvh.centreZ()) * bvh.scale()};
+        for (double coordinate : lamp) {
+            if (!(Math.abs(coordinate) < Bvh.FARTHEST)) {
+                return null;
+            }
+        }
+        return new LightBufferBuilder(bvh, hulls, lamp, Face.around(), from.shown()).build();
+    }
+
+    private LightBuffer build() {
+        include(bvh.root(), LEVELS);
+        double area = 0;
+        for (Face face : faces) {
+            if (shown != null) {
+                shown.limit(face);
+            }
+            area += face.area();
+        }
+        int cells = 0;
+        for (Face face : faces) {
+            cells += face.divide(Math.sqrt(area / count), cells);
+        }
+        next = new int[cells];
+        look();
+        if (isTooMuch()) {
+            return null;
+        }
+        int[] start = sumUp();
+        sorted = new long[start[cells] + 1];
+        sortIn();
+        sortByDepth(start);
+        return new LightBuffer(bvh, lamp, faces, start, sorted);
+    }
+
+    /** Shows the faces a part of the tree, by its boxes so many levels down. */
+    private void include(int node, int levels) {
+        for (int at = node * Bvh.NODE_STRIDE; at < node * Bvh.NODE_STRIDE + Bvh.WIDTH; at++) {
+            // Boxes of no children are as wide as less than nothing.
+            if (bvh.nodes()[at + Bvh.HALF] >= 0) {
+                if (levels > 0 && bvh.child(at) >= 0) {
+                    include(bvh.child(at), levels - 1);
+                } else {
+                    include(at);
+                }
+            }
+        }
+    }
+
+    /** Shows the faces a box, which is at this place among the nodes' numbers. */
+    private void include(int at) {
+        double[] least = new double[3], greatest = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double middle = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE] - lamp[axis];
+            double half = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF] + Bvh.PADDING;
+            least[axis] = middle - half;
+            greatest[axis] = middle + half;
+        }
+        for (Face face : faces) {
+            face.include(least, greatest);
+        }
+    }
+
+    private boolean isTooMuch() {
+        return tried > MOST_TRIED * (long) count
+                || entries > Math.min(Integer.MAX_VALUE - 8, MOST_ENTRIES * (long) count);
+    }
+
+    /** Notes where things are seen. */
+    private void look() {
+        int end = bvh.order().length;
+        for (int from = bvh.beside(); from < end && !isTooMuch(); from += Hulls.Batch.CAPACITY) {
+            int to = Math.min(from + Hulls.Batch.CAPACITY, end);
+            hulls.get(from, to, batch);
+            asSeenFromLamp(batch.a(), to - from);
+            asSeenFromLamp(batch.b(), to - from);
+            asSeenFromLamp(batch.c(), to - from);
+            look(from, to);
+        }
+    }
+
+    /** Brings points from world space to the tree's, with the lamp as the origin. */
+    private void asSeenFromLamp(Vectors points, int end) {
+        Pass.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0]), 0, end);
+        Pass.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1]), 0, end);
+        Pass.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2]), 0, end);
+    }
+
+    /** a = (a - centre) scale - origin */
+    private record ToTreeSpace(double[] a, double centre, double scale, double origin) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            for (int i = from; i < to; i++) {
+                a[i] = (a[i] - centre) * scale - origin;
+            }
+        }
+    }
+
+    private void look(int from, int to) {
+        for (int k = from; k < to; k++) {
+            outline.take(batch, k - from, bvh.scale());
+            int only = faces.length == 1 ? 0 : outline.onlyFace();
+            int first = Math.max(0, only), last = only < 0 ? faces.length - 1 : only;
+            for (int face = first; face <= last; face++) {
+                if (outline.isSeenOn(faces[face])) {
+                    note(k, faces[face]);
+                }
+            }
+        }
+    }
+
+    /** Thing k is seen on a face. */
+    private void note(int k, Face face) {
+        tried += outline.cellsAround(face);
+        if (isTooMuch()) {
+            return;
+        }
+        int found = outline.findCells(face);
+        sightings.add(k);
+        sightings.add(LightBuffer.key(Math.nextDown((float) outline.nearest())));
+        sightings.add(found);
+        for (int n = 0; n < found; n++) {
+            sightings.add(outline.cell(n));
+            next[outline.cell(n)]++;
+        }
+        entries += found;
+    }
+
+    /** Makes of the counts where each cell's entries begin. */
+    private int[] sumUp() {
+        int[] start = new int[next.length + 1];
+        for (int cell = 0; cell < next.length; cell++) {
+            start[cell + 1] = start[cell] + next[cell];
+            next[cell] = start[cell];
+        }
+        return start;
+    }
+
+    /** A ray needs only look at the first of its cell, and what is nearest to the lamp darkens most. */
+    private void sortByDepth(int[] start) {
+        for (int cell = 0; cell < next.length; cell++) {
+            Arrays.sort(sorted, start[cell], start[cell + 1]);
+        }
+    }
+
+    private void sortIn() {
+        while (sightings.isLeft()) {
+            int k = sightings.take();
+            long entry = LightBuffer.entry(k, sightings.take());
+            for (int left = sightings.take(); left > 0; left--) {
+                sorted[next[sightings.take()]++] = entry;
+            }
+        }
+    }
+}

@@ -1,0 +1,176 @@
+package raytracer.tracer.lightbuffer;
+
+import java.util.Arrays;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.kernel.Batch;
+
+/** How a thing is seen on a {@link Face}: a triangle, or a box around something round. Serves thing after thing. */
+public final class Outline {
+
+    // The triangle, as seen from the lamp.
+    private double ax, ay, az;
+    private double bx, by, bz;
+    private double cx, cy, cz;
+    private double radius;
+
+    private double nearest;
+
+    // The box around what is seen.
+    private double leastU, greatestU;
+    private double leastV, greatestV;
+
+    // By edge: e u + f v + g is negative outside.
+    private double e0, f0, g0;
+    private double e1, f1, g1;
+    private double e2, f2, g2;
+
+    private int[] cells = new int[64];
+
+    /** Takes one of the hulls, which are in the tree's space and as seen from the lamp but for their radii. */
+    void take(Hulls.Batch hulls, int i, double scale) {
+        ax = hulls.a().x()[i];
+        ay = hulls.a().y()[i];
+        az = hulls.a().z()[i];
+        bx = hulls.b().x()[i];
+        by = hulls.b().y()[i];
+        bz = hulls.b().z()[i];
+        cx = hulls.c().x()[i];
+        cy = hulls.c().y()[i];
+        cz = hulls.c().z()[i];
+        radius = hulls.radius()[i] * scale + Bvh.PADDING;
+    }
+
+    /** The number of the only face on which it is seen; negative if there may be more. */
+    int onlyFace() {
+        int face = Face.number(ax, ay, az);
+        int axis = face / 2;
+        double sign = face % 2 == 0 ? 1 : -1;
+        double room = axis == 0 ? least(room(sign * ax, ay, az), room(sign * bx, by, bz), room(sign * cx, cy, cz))
+                : axis == 1 ? least(room(sign * ay, az, ax), room(sign * by, bz, bx), room(sign * cy, cz, cx))
+                : least(room(sign * az, ax, ay), room(sign * bz, bx, by), room(sign * cz, cx, cy));
+        return room > 2 * radius ? face : -1;
+    }
+
+    /** By how much a point's depth is more than it is across. */
+    private static double room(double depth, double across, double down) {
+        return depth - Math.max(Math.abs(across), Math.abs(down));
+    }
+
+    /** Looks at it on a face; false if it is not seen in the part with cells. */
+    boolean isSeenOn(Face face) {
+        double depthA = face.depth(ax, ay, az), ua = face.across(ax, ay, az), va = face.down(ax, ay, az);
+        double depthB = face.depth(bx, by, bz), ub = face.across(bx, by, bz), vb = face.down(bx, by, bz);
+        double depthC = face.depth(cx, cy, cz), uc = face.across(cx, cy, cz), vc = face.down(cx, cy, cz);
+        nearest = least(depthA, depthB, depthC) - radius;
+        if (face.isParallel()) {
+            span(ua, va, ub, vb, uc, vc, radius * face.spreadU(), radius * face.spreadV());
+            return true;
+        }
+        if (greatest(depthA, depthB, depthC) + radius < 0) {
+            return false;
+        }
+        if (nearest <= radius) {
+            if (isBeside(ua, ub, uc, depthA, depthB, depthC) || isBeside(va, vb, vc, depthA, depthB, depthC)) {
+                return false;
+            }
+            // Around the lamp, or nearly: it may be anywhere.
+            span(0, 0, 0, 0, 0, 0, 1, 1);
+        } else {
+            ua /= depthA;
+            va /= depthA;
+            ub /= depthB;
+            vb /= depthB;
+            uc /= depthC;
+            vc /= depthC;
+            // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than
+            // r sqrt(1 + u^2) / (w - r).
+            double perRoot = radius / nearest;
+            span(ua, va, ub, vb, uc, vc, perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
+        }
+        return face.overlaps(leastU, greatestU, leastV, greatestV);
+    }
+
+    /** Whether all of it is outside of one of two sides of the pyramid below the face, which stand at 45 degrees. */
+    private boolean isBeside(double a, double b, double c, double depthA, double depthB, double depthC) {
+        double beyond = Math.max(least(a - depthA, b - depthB, c - depthC),
+                least(-a - depthA, -b - depthB, -c - depthC));
+        return beyond > 1.5 * radius;
+    }
+
+    /** The root of 1 + the greatest square. */
+    private static double root(double a, double b, double c) {
+        double most = greatest(Math.abs(a), Math.abs(b), Math.abs(c));
+        return Math.sqrt(1 + most * most);
+    }
+
+    private static double least(double a, double b, double c) {
+        return Math.min(a, Math.min(b, c));
+    }
+
+    private static double greatest(double a, double b, double c) {
+        return Math.max(a, Math.max(b, c));
+    }
+
+    /** Sets the box and the edges around the corners and all that is so far from them. */
+    private void span(double ua, double va, double ub, double vb, double uc, double vc,
+            double marginU, double marginV) {
+        leastU = least(ua, ub, uc) - marginU;
+        greatestU = greatest(ua, ub, uc) + marginU;
+        leastV = least(va, vb, vc) - marginV;
+        greatestV = greatest(va, vb, vc) + marginV;
+        double turn = (ub - ua) * (vc - va) - (uc - ua) * (vb - va) > 0 ? 1 : -1;
+        e0 = turn * (va - vb);
+        f0 = turn * (ub - ua);
+        g0 = margin(e0, f0, marginU, marginV) - (e0 * ua + f0 * va);
+        e1 = turn * (vb - vc);
+        f1 = turn * (uc - ub);
+        g1 = margin(e1, f1, marginU, marginV) - (e1 * ub + f1 * vb);
+        e2 = turn * (vc - va);
+        f2 = turn * (ua - uc);
+        g2 = margin(e2, f2, marginU, marginV) - (e2 * uc + f2 * vc);
+    }
+
+    /** How much more an edge has inside if it is moved out by so much along both axes. */
+    private static double margin(double e, double f, double u, double v) {
+        return Math.abs(e) * u + Math.abs(f) * v;
+    }
+
+    /** No depth of its points is less. */
+    double nearest() {
+        return nearest;
+    }
+
+    /** How many cells there are in the box around it. */
+    long cellsAround(Face face) {
+        return (face.column(greatestU) - face.column(leastU) + 1L) * (face.row(greatestV) - face.row(leastV) + 1);
+    }
+
+    /** Finds the {@link #cell}s in which it is seen, those that no edge has all outside; returns how many. */
+    int findCells(Face face) {
+        int firstColumn = face.column(leastU), lastColumn = face.column(greatestU);
+        int firstRow = face.row(leastV), lastRow = face.row(greatestV);
+        if (cells.length < cellsAround(face)) {
+            cells = Arrays.copyOf(cells, (int) (2 * cellsAround(face)));
+        }
+        // From the corner of a cell that is farthest inside an edge to the middle.
+        double half = face.side() / 2;
+        double out0 = g0 + margin(e0, f0, half, half), out1 = g1 + margin(e1, f1, half, half);
+        double out2 = g2 + margin(e2, f2, half, half);
+        int found = 0;
+        for (int row = firstRow; row <= lastRow; row++) {
+            double v = face.v(row);
+            double row0 = f0 * v + out0, row1 = f1 * v + out1, row2 = f2 * v + out2;
+            for (int column = firstColumn; column <= lastColumn; column++) {
+                double u = face.u(column);
+                cells[found] = face.cell(column, row);
+                found += least(e0 * u + row0, e1 * u + row1, e2 * u + row2) >= 0 ? 1 : 0;
+            }
+        }
+        return found;
+    }
+
+    /** Number n of the cells that were found last. */
+    int cell(int n) {
+        return cells[n];
+    }
+}

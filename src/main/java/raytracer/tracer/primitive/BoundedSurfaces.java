@@ -1,0 +1,125 @@
+package raytracer.tracer.primitive;
+
+import java.util.List;
+import java.util.Map;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhWalk;
+import raytracer.tracer.bvh.TreeFacts;
+import raytracer.tracer.lightbuffer.Hulls;
+import raytracer.tracer.lightbuffer.LazyLightBuffer;
+import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.rays.Candidates;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
+
+/** Surfaces of a finite size, many of them: a tree finds the few that a ray may meet. */
+public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Triangles {
+
+    private final int firstSlot;
+    private final int count;
+    private final Bvh bvh;
+    private final Map<Lamp, LazyLightBuffer> lightBuffers;
+
+    /** @param hulls by number among these */
+    BoundedSurfaces(int firstSlot, Bvh bvh, Hulls hulls, List<Viewpoint> viewpoints) {
+        this.firstSlot = firstSlot;
+        this.bvh = bvh;
+        count = bvh.order().length;
+        lightBuffers = LazyLightBuffer.of(viewpoints, bvh, hulls);
+    }
+
+    /**
+     * The distance at which a ray meets the surface with this number among these; NaN if it does not, or farther away
+     * than {@link Rays#reach}.
+     */
+    abstract double distance(Rays rays, int ray, int k);
+
+    /** Bounds the error of that distance. */
+    abstract double distanceError(Rays rays, int ray, int k, double t);
+
+    /** Records the surface with this number among these for a ray, if it meets it. */
+    public final void meet(Rays rays, int ray, int k) {
+        double t = distance(rays, ray, k);
+        if (t > 0) {
+            rays.record(ray, slot(k), t);
+        }
+    }
+
+    @Override
+    public final void collect(Rays rays, int ray, Candidates candidates, Workspace workspace) {
+        for (int k = 0; k < bvh.beside(); k++) {
+            collect(rays, ray, k, candidates);
+        }
+        BvhWalk walk = workspace.walk;
+        if (walk.start(bvh, rays.ox[ray], rays.oy[ray], rays.oz[ray], rays.dx[ray], rays.dy[ray], rays.dz[ray])) {
+            while (walk.nextLeaf(rays.reach(ray))) {
+                for (int k = walk.first(); k < walk.end(); k++) {
+                    collect(rays, ray, k, candidates);
+                }
+            }
+        }
+    }
+
+    private void collect(Rays rays, int ray, int k, Candidates candidates) {
+        double t = distance(rays, ray, k);
+        if (t > 0) {
+            candidates.add(slot(k), t, distanceError(rays, ray, k, t));
+        }
+    }
+
+    /** Whether the surface with this number among these is strictly between a point and its light. */
+    public abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
+
+    /**
+     * Looks along a ray through (x, y, z) in the tree's space, for {@link #inSight}.
+     *
+     * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
+     */
+    public abstract void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
+            double originError, double directionError, Workspace workspace);
+
+    /**
+     * Which of some surfaces, no more than a leaf has, the ray in {@link #look} may meet, at a glance: a bit for each,
+     * the first one's lowest. No branch depends on what is seen, for the processor would often guess it wrong.
+     */
+    public abstract int inSight(int first, int end, Workspace workspace);
+
+    public final TreeFacts facts() {
+        return TreeFacts.of(this instanceof Spheres ? "spheres" : "triangles", bvh);
+    }
+
+    public final Bvh bvh() {
+        return bvh;
+    }
+
+    /** Null if there is none for a lamp, nor will be. */
+    public final LazyLightBuffer lightBuffer(Lamp lamp) {
+        return lightBuffers.get(lamp);
+    }
+
+    final int slot(int k) {
+        return firstSlot + k;
+    }
+
+    final int number(int slot) {
+        return slot - firstSlot;
+    }
+
+    @Override
+    public final boolean owns(int slot) {
+        return slot >= firstSlot && slot < firstSlot + count;
+    }
+
+    /** Computes what {@link #meetAll} needs to know of rays, from one index to another. */
+    public abstract void prepareToMeet(Rays rays, int from, int to, Workspace workspace);
+
+    /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
+    public abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace);
+
+    /** Records the surface with this number among these for rays, from one index to another, that meet it. */
+    public abstract void meetAll(Rays rays, int from, int to, int k, Workspace workspace);
+
+    /** Closes every open shadow ray from one index to another that the surface with this number among these blocks. */
+    public abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace);
+}

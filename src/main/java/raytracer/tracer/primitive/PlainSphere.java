@@ -1,0 +1,94 @@
+package raytracer.tracer.primitive;
+
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
+
+/** What is plain of rays and a sphere when its perpendiculars to them are known; the others need a closer look. */
+public final class PlainSphere {
+
+    // A ray is clear of a sphere if its perpendicular's square exceeds r^2 by this part of it, and the ray's origin is
+    // off by no more than this part of r.
+    private static final double CLEAR = 1 / 4.0;
+    private static final double SHARP = 1 / 32.0;
+
+    private PlainSphere() { }
+
+    /**
+     * Whether a ray is clear of a sphere, without a closer look.
+     *
+     * @param square of half the chord, as it were
+     * @param error  how far off the ray's origin may be
+     */
+    static boolean isClear(double square, double radius, double error) {
+        return square < -CLEAR * radius * radius && error <= SHARP * radius;
+    }
+
+    /**
+     * Takes what is met clearly, and nearer than all before; lists the rays that need a closer look.
+     *
+     * @param doubt whether a ray meets the sphere is certain unless the square of half the chord is nearer to 0
+     */
+    record TakeNearer(Rays rays, double doubt, int slot, Workspace workspace) implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
+            int[] hit = rays.hit, doubtful = workspace.doubtful;
+            int count = 0;
+            for (int i = from; i < to; i++) {
+                if (square[i] >= doubt) {
+                    if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
+                        if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
+                            hit[i] = slot;
+                            distance[i] = t[i];
+                        } else {
+                            doubtful[count++] = i;
+                        }
+                    }
+                } else if (square[i] >= -doubt) {
+                    doubtful[count++] = i;
+                }
+            }
+            workspace.doubtfulCount = count;
+        }
+    }
+
+    /**
+     * Closes the ways to a lamp that are blocked for certain; lists the rays that need a closer look.
+     *
+     * @param radius   of the sphere
+     * @param lampSide 1 if the lamp is outside of it, -1 inside, 0 on it
+     */
+    record Close(Rays rays, ShadowRays shadows, double radius, int slot, int lampSide, Workspace workspace)
+            implements Pass {
+        @Override
+        public void run(int from, int to) {
+            double[] square = workspace.square, along = workspace.along, distance = shadows.distance;
+            double[] error = shadows.originError;
+            boolean[] open = shadows.open;
+            int[] hit = rays.hit, doubtful = workspace.doubtful;
+            int count = 0;
+            for (int i = from; i < to; i++) {
+                if (open[i] && !isClear(square[i], radius, error[i])) {
+                    boolean behind = along[i] >= 0;
+                    boolean plain = hit[i] == slot ? behind : lampSide > 0
+                            && isPlain(along[i], square[i], radius, error[i]);
+                    if (!plain) {
+                        doubtful[count++] = i;
+                    } else if (!behind && -along[i] < distance[i]) {
+                        open[i] = false;
+                    }
+                }
+            }
+            workspace.doubtfulCount = count;
+        }
+
+        /** Whether a ray clearly starts outside a sphere, and meets it clearly or has it behind. */
+        private static boolean isPlain(double along, double square, double r, double error) {
+            double power = along * along - square;
+            return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)
+                    && (along >= 0 || square > 2 * r * Rounding.passing(along, error) + 18 * Rounding.U * r * r);
+        }
+    }
+}

@@ -1,0 +1,184 @@
+package raytracer.tracer.primitive;
+
+import java.util.List;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.rays.Candidates;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
+
+/** Infinite planes: few, and met by nearly every ray, so every ray tries each. */
+public final class Planes implements Surfaces {
+
+    private final int firstSlot;
+    private final int count;
+    private final double[] px, py, pz;
+    private final double[] nx, ny, nz;
+
+    public Planes(List<Shape.Plane> planes, int firstSlot) {
+        this.firstSlot = firstSlot;
+        count = planes.size();
+        px = new double[count];
+        py = new double[count];
+        pz = new double[count];
+        nx = new double[count];
+        ny = new double[count];
+        nz = new double[count];
+        for (int k = 0; k < count; k++) {
+            Vector p = planes.get(k).point(), n = planes.get(k).normal().unit();
+            px[k] = p.x();
+            py[k] = p.y();
+            pz[k] = p.z();
+            nx[k] = n.x();
+            ny[k] = n.y();
+            nz[k] = n.z();
+        }
+    }
+
+    @Override
+    public boolean owns(int slot) {
+        return slot >= firstSlot && slot < firstSlot + count;
+    }
+
+    /** What records for every ray the nearest that it meets among these. */
+    public Pass intersecting(Rays rays, Workspace workspace) {
+        return (from, to) -> findNearest(rays, from, to, workspace);
+    }
+
+    private void findNearest(Rays rays, int from, int to, Workspace workspace) {
+        for (int k = 0; k < count; k++) {
+            measure(rays, k, from, to, workspace);
+            record(rays, k, workspace.along, workspace.square, workspace.distance, from, to);
+        }
+    }
+
+    /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
+    private void measure(Rays rays, int k, int from, int to, Workspace workspace) {
+        offsets(rays, k, workspace.along, from, to);
+        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, workspace.square, from, to);
+        divide(workspace.along, workspace.square, workspace.distance, from, to);
+    }
+
+    /** out = (p - o) . n */
+    private void offsets(Rays rays, int k, double[] out, int from, int to) {
+        offsets(px[k], py[k], pz[k], rays.ox, rays.oy, rays.oz, nx[k], ny[k], nz[k], out, from, to);
+    }
+
+    private static void offsets(double px, double py, double pz, double[] ox, double[] oy, double[] oz,
+            double nx, double ny, double nz, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = (px - ox[i]) * nx + (py - oy[i]) * ny + (pz - oz[i]) * nz;
+        }
+    }
+
+    // Passes apart, as elsewhere, would be slower here: C2 spills what the loops around them need.
+
+    /** out = d . n */
+    private static void cosines(double nx, double ny, double nz, double[] dx, double[] dy, double[] dz,
+            double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = dx[i] * nx + dy[i] * ny + dz[i] * nz;
+        }
+    }
+
+    private static void divide(double[] a, double[] b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = a[i] / b[i];
+        }
+    }
+
+    private void record(Rays rays, int k, double[] offset, double[] cosine, double[] distance, int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (isMet(rays, i, k, offset[i], cosine[i], distance[i])) {
+                rays.record(i, firstSlot + k, distance[i]);
+            }
+        }
+    }
+
+    private boolean isMet(Rays rays, int i, int k, double offset, double cosine, double t) {
+        return t > 0 && t <= rays.reach(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
+                && rays.source[i] != firstSlot + k
+                && Math.abs(offset) > Rounding.planeOffset(rays.originError[i], products(rays, i, k))
+                        + rays.slide[i] * Math.abs(cosine);
+    }
+
+    /** |x nx| + |y ny| + |z nz| of a plane's point, seen from where a ray starts. */
+    private double products(Rays rays, int i, int k) {
+        return products(px[k] - rays.ox[i], py[k] - rays.oy[i], pz[k] - rays.oz[i], k);
+    }
+
+    private double products(double x, double y, double z, int k) {
+        return Math.abs(x * nx[k]) + Math.abs(y * ny[k]) + Math.abs(z * nz[k]);
+    }
+
+    @Override
+    public void collect(Rays rays, int i, Candidates candidates, Workspace workspace) {
+        for (int k = 0; k < count; k++) {
+            measure(rays, k, i, i + 1, workspace);
+            double cosine = workspace.square[i], t = workspace.distance[i];
+            if (isMet(rays, i, k, workspace.along[i], cosine, t)) {
+                candidates.add(firstSlot + k, t, Rounding.planeDistance(
+                        rays.originError[i], rays.directionError[i], products(rays, i, k), t, cosine));
+            }
+        }
+    }
+
+    /** What closes every open shadow ray that one of these blocks between its ends. */
+    public Pass blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
+        return (from, to) -> block(rays, shadows, from, to, workspace);
+    }
+
+    private void block(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
+        for (int k = 0; k < count; k++) {
+            int side = sideOfLamp(shadows.lamp, k);
+            if (side != 0) {
+                offsets(rays, k, workspace.along, from, to);
+                close(rays, shadows.open, k, side, workspace.along, from, to);
+            }
+        }
+    }
+
+    /** 1 if a lamp is on the side of a plane to which the normal points, -1 if on the other, 0 if in the plane. */
+    private int sideOfLamp(Lamp lamp, int k) {
+        if (lamp.directional()) {
+            double cosine = lamp.x() * nx[k] + lamp.y() * ny[k] + lamp.z() * nz[k];
+            return Math.abs(cosine) > Rounding.cosine(2 * Rounding.U) ? (int) Math.signum(cosine) : 0;
+        }
+        double x = lamp.x() - px[k], y = lamp.y() - py[k], z = lamp.z() - pz[k];
+        double height = x * nx[k] + y * ny[k] + z * nz[k];
+        double bound = Rounding.planeOffset(lamp.positionError(), products(x, y, z, k));
+        return Math.abs(height) > bound ? (int) Math.signum(height) : 0;
+    }
+
+    /** Closes the ways from points that are clearly not on the lamp's side of a plane, nor on the plane. */
+    private void close(Rays rays, boolean[] open, int k, int side, double[] offset, int from, int to) {
+        for (int i = from; i < to; i++) {
+            double below = side * offset[i];
+            if (below > 0 && open[i] && rays.hit[i] != firstSlot + k && below > offsetError(rays, i, k)) {
+                open[i] = false;
+            }
+        }
+    }
+
+    /** Bounds the error of how far a plane is, along its normal, from where a ray has arrived. */
+    private double offsetError(Rays rays, int i, int k) {
+        double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
+        return Rounding.planeOffset(rays.originError[i], products(rays, i, k)) + rays.slide[i] * Math.abs(cosine);
+    }
+
+    @Override
+    public boolean isOfOneSurface() {
+        return false;
+    }
+
+    @Override
+    public void arrive(Rays rays, int from, int to, Workspace workspace) {
+        for (int i = from; i < to; i++) {
+            int k = rays.hit[i] - firstSlot;
+            rays.arriveOnPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
+        }
+    }
+}

@@ -1,0 +1,291 @@
+package raytracer.tracer.primitive;
+
+import java.util.List;
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+import raytracer.tracer.bvh.Bounds;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.PowerOfPoint;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.lightbuffer.Hulls;
+import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
+
+/**
+ * Spheres. Whether a ray meets one is decided by the perpendicular from the centre to the ray, which loses no digits to
+ * distance (Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
+ * 2019, chapter 7); where it does, by the power of the origin, which loses none to size ({@link PowerOfPoint}).
+ */
+public final class Spheres extends BoundedSurfaces {
+
+    /** Of the tree: a ray tries a box much faster than a sphere. */
+    public static final int LEAF_SIZE = 1;
+
+    /** Numbers of one sphere in {@link #data}: centre and radius. */
+    static final int STRIDE = 4;
+
+    private final double[] data;
+
+    /** @param spheres in the order of the tree's leaves */
+    public Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints) {
+        super(firstSlot, bvh, Hulls.of(spheres), viewpoints);
+        int count = spheres.size();
+        data = new double[STRIDE * count];
+        for (int k = 0; k < count; k++) {
+            Vector c = spheres.get(k).centre();
+            data[STRIDE * k] = c.x();
+            data[STRIDE * k + 1] = c.y();
+            data[STRIDE * k + 2] = c.z();
+            data[STRIDE * k + 3] = spheres.get(k).radius();
+        }
+    }
+
+    public static Bounds bounds(List<Shape.Sphere> spheres) {
+        return (k, box) -> {
+            Vector c = spheres.get(k).centre();
+            double r = spheres.get(k).radius();
+            box[0] = c.x() - r;
+            box[1] = c.y() - r;
+            box[2] = c.z() - r;
+            box[3] = c.x() + r;
+            box[4] = c.y() + r;
+            box[5] = c.z() + r;
+        };
+    }
+
+    @Override
+    double distance(Rays rays, int i, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
+        double along = x * dx + y * dy + z * dz;
+        double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+        double square = r * r - (ex * ex + ey * ey + ez * ez);
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double originError = rays.originError[i], directionError = rays.directionError[i];
+        double bound = Rounding.sphereSquare(originError, directionError, reach, r, along);
+        if (square < -bound || PlainSphere.isClear(square, r, originError)) {
+            return Double.NaN;
+        }
+        double alongError = Rounding.along(originError, directionError, reach);
+        double power = rays.source[i] == slot(k)
+                ? 0
+                : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
+        double powerError = Rounding.power(originError, r, rays.slide[i], along);
+        if (Math.abs(power) <= powerError) {
+            // The ray starts on the sphere: only the other meeting counts, if it goes inwards.
+            return along < -alongError - rays.slide[i] ? atMost(rays.reach(i), -2 * along) : Double.NaN;
+        }
+        if (square < bound) {
+            double error = Rounding.tangentSquare(along, alongError, power, Rounding.power(originError, r, 0, 0));
+            square = error < bound ? along * along - power : square;
+            if (square < -Math.min(error, bound)) {
+                return Double.NaN;
+            }
+        }
+        return atMost(rays.reach(i), distance(power, along, Math.sqrt(Math.max(0, square))));
+    }
+
+    private static double atMost(double most, double t) {
+        return t <= most ? t : Double.NaN;
+    }
+
+    @Override
+    public void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
+            double originError, double directionError, Workspace workspace) { }
+
+    /** All: a leaf is one sphere, whose box the ray has met. */
+    @Override
+    public int inSight(int first, int end, Workspace workspace) {
+        return (1 << end - first) - 1;
+    }
+
+    @Override
+    public void prepareToMeet(Rays rays, int from, int to, Workspace workspace) { }
+
+    @Override
+    public void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) { }
+
+    @Override
+    public void meetAll(Rays rays, int from, int to, int k, Workspace workspace) {
+        if (rays.leaveEye) {
+            passByFromEye(rays, from, to, k, workspace);
+        } else {
+            passBy(rays, rays.direction, from, to, k, workspace);
+        }
+        double x = rays.ox[from], y = rays.oy[from], z = rays.oz[from];
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double power = rays.leaveEye ? PowerOfPoint.of(x, y, z, cx, cy, cz, r) : 0;
+        if (!(power > 0)) {
+            for (int i = from; i < to; i++) {
+                if (!PlainSphere.isClear(workspace.square[i], r, rays.originError[i])) {
+                    meet(rays, i, k);
+                }
+            }
+            return;
+        }
+        // All rays start at the same point outside: what takes long to compute is the same for all.
+        double reach = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
+        double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, reach, r, reach);
+        Pass.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
+        Pass.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), workspace), from, to);
+        for (int n = 0; n < workspace.doubtfulCount; n++) {
+            meet(rays, workspace.doubtful[n], k);
+        }
+    }
+
+    @Override
+    public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
+        int lampSide = sideOfLamp(shadows.lamp, k);
+        if (rays.hit[from] == slot(k) && rays.haveMetTheSame(from, to)) {
+            blockInwards(rays, shadows, from, to, k, lampSide, workspace);
+            return;
+        }
+        passBy(rays, shadows.direction, from, to, k, workspace);
+        Pass.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, workspace), from, to);
+        for (int n = 0; n < workspace.doubtfulCount; n++) {
+            int i = workspace.doubtful[n];
+            shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
+        }
+    }
+
+    /** Closes the ways that go into the sphere on which all start: the others leave it for good. */
+    private void blockInwards(
+            Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Workspace workspace) {
+        double[] along = workspace.along;
+        boolean[] open = shadows.open;
+        Pass.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
+                shadows.direction, along), from, to);
+        for (int i = from; i < to; i++) {
+            if (along[i] < 0 && open[i]) {
+                open[i] = !blocks(rays, shadows, i, k, lampSide);
+            }
+        }
+    }
+
+    private void passBy(Rays rays, Vectors d, int from, int to, int k, Workspace workspace) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        Pass.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
+        Pass.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square), from, to);
+    }
+
+    private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
+        double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
+        double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        Pass.run(new Pass.DotWith(x, y, z, rays.direction, workspace.along), from, to);
+        Pass.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
+                from, to);
+    }
+
+    @Override
+    double distanceError(Rays rays, int i, int k, double t) {
+        int at = STRIDE * k;
+        double x = rays.ox[i] - data[at], y = rays.oy[i] - data[at + 1], z = rays.oz[i] - data[at + 2];
+        double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
+        return Rounding.sphereDistance(rays.originError[i], rays.directionError[i],
+                Math.abs(x) + Math.abs(y) + Math.abs(z), data[at + 3], Math.abs(t + along), along, t);
+    }
+
+    /**
+     * The distance to the first meeting, not positive if there is none. The two distances multiply to the power and add
+     * up to -2 along; each is computed in the way that subtracts nothing alike.
+     */
+    private static double distance(double power, double along, double half) {
+        if (power > 0) {
+            return along < 0 ? power / (half - along) : -1;
+        }
+        return along <= 0 ? half - along : -power / (half + along);
+    }
+
+    /**
+     * Whether a sphere is met strictly between a point and a light. It follows from which of them are outside, inside
+     * and on the sphere, and needs no distance.
+     */
+    @Override
+    public boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
+        return blocks(rays, shadows, i, k, sideOfLamp(shadows.lamp, k));
+    }
+
+    private boolean blocks(Rays rays, ShadowRays shadows, int i, int k, int lampSide) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
+        double along = x * dx + y * dy + z * dz;
+        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double originError = rays.originError[i];
+        double slide = rays.slide[i];
+        double alongError = Rounding.along(originError, 2 * Rounding.U, reach) + slide;
+        int side = 0;
+        if (rays.hit[i] != slot(k)) {
+            double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+            double square = r * r - (ex * ex + ey * ey + ez * ez);
+            double bound = Rounding.sphereSquare(shadows.originError[i], 2 * Rounding.U, reach, r, along);
+            if (square < -bound || PlainSphere.isClear(square, r, shadows.originError[i])) {
+                return false;
+            }
+            double slideAlong = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
+            double powerError = Rounding.power(originError, r, slide, slideAlong);
+            double power = power(rays.ox[i], rays.oy[i], rays.oz[i], powerError, k);
+            side = sign(power, powerError);
+            double error = Rounding.tangentSquare(along, alongError, power, powerError);
+            if (side > 0 && square < bound && error < bound && along * along - power < -error) {
+                return false;
+            }
+        }
+        if (side == 0) {
+            // It must go inwards, and come out again before the light.
+            return along < -alongError && lampSide > 0;
+        }
+        if (side < 0 || lampSide < 0) {
+            return side * lampSide < 0;
+        }
+        // The middle of the way through the sphere must be before the light: clearly so, if the light is on the sphere.
+        return along < 0 && -along < shadows.distance[i]
+                - (lampSide > 0 ? 0 : alongError + Rounding.lampDistance(shadows.lamp.positionError(), shadows.distance[i]));
+    }
+
+    private int sideOfLamp(Lamp lamp, int k) {
+        if (lamp.directional()) {
+            return 1;
+        }
+        double error = Rounding.power(lamp.positionError(), data[STRIDE * k + 3], 0, 0);
+        return sign(power(lamp.x(), lamp.y(), lamp.z(), error, k), error);
+    }
+
+    /** 1 if a point is outside a sphere, -1 inside, 0 on it. */
+    private static int sign(double power, double error) {
+        return Math.abs(power) <= error ? 0 : power > 0 ? 1 : -1;
+    }
+
+    /** The power of a point, exactly enough to compare with a bound. */
+    private double power(double px, double py, double pz, double bound, int k) {
+        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = px - cx, y = py - cy, z = pz - cz;
+        double square = x * x + y * y + z * z;
+        double power = square - r * r;
+        return Math.abs(power) <= bound + Rounding.plainPower(square, r)
+                ? PowerOfPoint.of(px, py, pz, cx, cy, cz, r) : power;
+    }
+
+    @Override
+    public boolean isOfOneSurface() {
+        return false;
+    }
+
+    @Override
+    public void arrive(Rays rays, int from, int to, Workspace workspace) {
+        if (workspace.sphereArrival == null) {
+            prepareToArrive(rays, workspace);
+        }
+        workspace.sphereArrival.run(from, to);
+    }
+
+    /** Apart: C2 compiles a constructor into its caller, however rarely it is called. */
+    private void prepareToArrive(Rays rays, Workspace workspace) {
+        workspace.sphereArrival = new SphereArrival(data, slot(0), rays, workspace);
+    }
+}

@@ -1,0 +1,148 @@
+package raytracer.tracer.primitive;
+
+import raytracer.scene.Mesh;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.kernel.Rounding;
+
+/**
+ * Tells quickly that a ray's line clearly passes a triangle by: floats, few of them, and no branch. Each triangle is
+ * 16 numbers in the space of its {@link Bvh}: two edges, a x b, b x c and a x c of its corners, and a bound on what an
+ * edge is long. The side on which a line passes an edge is direction . (a x b) + moment . (b - a) (Pluecker
+ * coordinates; Shevtsov, Soupikov and Kapustin, Ray-Triangle Intersection Algorithm for Modern CPU Architectures,
+ * 2007, who decide by it; here it only sorts out).
+ */
+public final class TriangleSieve {
+
+    private static final int STRIDE = 16;
+
+    /**
+     * Of an edge's bound: floats' rounding of a side. With v = 2^-24 and coordinates up to 1, directions, moments,
+     * edges and products are off by v, which is sqrt 3 v in a side each, and each of its terms is rounded 7 times,
+     * 14 sqrt 3 v: 31.2v in all.
+     */
+    private static final double ROUNDING = 40 * 0x1p-24;
+
+    /**
+     * An edge's bound is no less: of shorter ones a side is off by more because corners are rounded by u in tree space,
+     * 12u in all, which is less than this times what floats' rounding is taken for.
+     */
+    private static final float SHORTEST = 0x1p-29f;
+
+    private final Mesh mesh;
+    private final Bvh bvh;
+    private final float[] numbers;
+
+    /**
+     * Sorts out nothing yet: each triangle must be {@link #set}.
+     *
+     * @param bvh of all triangles of the mesh: lines will come in its space
+     */
+    TriangleSieve(Mesh mesh, Bvh bvh) {
+        this.mesh = mesh;
+        this.bvh = bvh;
+        numbers = new float[Math.multiplyExact(STRIDE, bvh.order().length)];
+    }
+
+    /** Takes in triangle k. */
+    void set(int k) {
+        double ax = x(k, 0), ay = y(k, 0), az = z(k, 0);
+        double bx = x(k, 1), by = y(k, 1), bz = z(k, 1);
+        double cx = x(k, 2), cy = y(k, 2), cz = z(k, 2);
+        int at = STRIDE * k;
+        set(at, bx - ax, by - ay, bz - az);
+        set(at + 3, cx - bx, cy - by, cz - bz);
+        setCross(at + 6, ax, ay, az, bx, by, bz);
+        setCross(at + 9, bx, by, bz, cx, cy, cz);
+        setCross(at + 12, ax, ay, az, cx, cy, cz);
+        double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
+                + Math.abs(cx - bx) + Math.abs(cy - by) + Math.abs(cz - bz);
+        numbers[at + 15] = Math.max((float) edges, SHORTEST);
+    }
+
+    // A corner in tree space.
+
+    private double x(int k, int corner) {
+        return (mesh.coordinate(bvh.order()[k], corner, 0) - bvh.centreX()) * bvh.scale();
+    }
+
+    private double y(int k, int corner) {
+        return (mesh.coordinate(bvh.order()[k], corner, 1) - bvh.centreY()) * bvh.scale();
+    }
+
+    private double z(int k, int corner) {
+        return (mesh.coordinate(bvh.order()[k], corner, 2) - bvh.centreZ()) * bvh.scale();
+    }
+
+    private void setCross(int at, double ax, double ay, double az, double bx, double by, double bz) {
+        set(at, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
+    }
+
+    private void set(int at, double x, double y, double z) {
+        numbers[at] = (float) x;
+        numbers[at + 1] = (float) y;
+        numbers[at + 2] = (float) z;
+    }
+
+    /**
+     * Which of some triangles a line may pass with all edges on one side, a bit for each, the first one's lowest: it
+     * does if {@link Triangles} says so.
+     *
+     * @param end at most 32 behind the first
+     */
+    int let(Line line, int first, int end) {
+        int let = 0;
+        for (int k = first; k < end; k++) {
+            let |= ~clear(line, k) >>> 31 << k - first;
+        }
+        return let;
+    }
+
+    /** Negative if a line clearly passes edges of triangle k on different sides. */
+    private int clear(Line line, int k) {
+        float[] n = numbers;
+        int at = STRIDE * k;
+        float mx = line.momentX, my = line.momentY, mz = line.momentZ, dx = line.dx, dy = line.dy, dz = line.dz;
+        float first = Math.fma(mx, n[at], Math.fma(my, n[at + 1], mz * n[at + 2]));
+        float second = Math.fma(mx, n[at + 3], Math.fma(my, n[at + 4], mz * n[at + 5]));
+        float ab = Math.fma(dx, n[at + 6], Math.fma(dy, n[at + 7], Math.fma(dz, n[at + 8], first)));
+        float bc = Math.fma(dx, n[at + 9], Math.fma(dy, n[at + 10], Math.fma(dz, n[at + 11], second)));
+        float ac = Math.fma(dx, n[at + 12], Math.fma(dy, n[at + 13], Math.fma(dz, n[at + 14], first + second)));
+        float bound = n[at + 15] * line.tolerance;
+        // The sign bits of what is clearly on one side, and clearly on the other.
+        int left = Float.floatToRawIntBits(ab + bound) | Float.floatToRawIntBits(bc + bound)
+                | Float.floatToRawIntBits(bound - ac);
+        int right = Float.floatToRawIntBits(bound - ab) | Float.floatToRawIntBits(bound - bc)
+                | Float.floatToRawIntBits(ac + bound);
+        return left & right;
+    }
+
+    /** A ray's line: its direction and moment, origin x direction, in tree space. One object serves ray after ray. */
+    static final class Line {
+
+        private float dx, dy, dz;
+        private float momentX, momentY, momentZ;
+        private float tolerance;
+
+        /**
+         * Takes the line of a ray through (x, y, z) in tree space.
+         *
+         * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
+         * @param originError of each coordinate, in tree space
+         */
+        void take(double x, double y, double z, double far, double dx, double dy, double dz,
+                double originError, double directionError) {
+            this.dx = (float) dx;
+            this.dy = (float) dy;
+            this.dz = (float) dz;
+            momentX = (float) (y * dz - z * dy);
+            momentY = (float) (z * dx - x * dz);
+            momentZ = (float) (x * dy - y * dx);
+            // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
+            double reach = 2 * (far + 4);
+            // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side
+            // for edges up to twice as long as the bound here); and a walk moves the origin, by which a side is
+            // off by less than another two such bounds.
+            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, reach, 1));
+        }
+    }
+}

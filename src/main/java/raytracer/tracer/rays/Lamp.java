@@ -1,0 +1,32 @@
+package raytracer.tracer.rays;
+
+import raytracer.scene.Colour;
+import raytracer.scene.Light;
+import raytracer.scene.Vector;
+import raytracer.tracer.kernel.Rounding;
+
+/**
+ * A light as the tracer wants it; or the eye, for what is seen from there is what a light would shine on.
+ *
+ * @param directional whether it is at infinity
+ * @param x           its position, or for a directional light the unit vector towards it
+ */
+public record Lamp(boolean directional, double x, double y, double z, Colour colour) {
+
+    public static Lamp ofEye(Vector eye) {
+        return new Lamp(false, eye.x(), eye.y(), eye.z(), Colour.BLACK);
+    }
+
+    /**
+     * How far off it counts as being: a light that is meant to be on a surface is there only as well as decimals say,
+     * and the corners of a triangle or the point of a plane are off as much.
+     */
+    public double positionError() {
+        return 7 * Rounding.U * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+    }
+
+    public static Lamp of(Light light) {
+        Vector v = light instanceof Light.Directional d ? d.towards().unit() : ((Light.Point) light).position();
+        return new Lamp(light instanceof Light.Directional, v.x(), v.y(), v.z(), light.colour());
+    }
+}

@@ -1,0 +1,217 @@
+package raytracer.tracer.rays;
+
+import java.util.Arrays;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.kernel.Vectors;
+
+/**
+ * A tile's rays, one array per quantity, and what they have met. The rays in use are the first {@link #count}; each
+ * belongs to one pixel of the tile.
+ */
+public final class Rays {
+
+    /** In place of a slot: the ray leaves the eye, or it meets nothing. */
+    public static final int NONE = -1;
+
+    public int count;
+
+    /** Whether all start at the eye: then they have their origin in common, and leave no surface. */
+    public boolean leaveEye;
+
+    public final int[] pixel = new int[Batch.CAPACITY];
+
+    /** Of rays that leave the eye, what they go through; null if that is not known. */
+    public Window window;
+
+    /** Whether none has left or changed its place: then their pixels are consecutive numbers. */
+    public boolean areInOrder;
+
+    // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
+    // along the ray itself), and apart from that. The slot of the surface it leaves.
+    public final double[] ox = new double[Batch.CAPACITY];
+    public final double[] oy = new double[Batch.CAPACITY];
+    public final double[] oz = new double[Batch.CAPACITY];
+    public final double[] originError = new double[Batch.CAPACITY];
+    public final double[] slide = new double[Batch.CAPACITY];
+    public final int[] source = new int[Batch.CAPACITY];
+
+    // Where it goes: a unit vector, and a bound on the error of each coordinate.
+    public final double[] dx = new double[Batch.CAPACITY];
+    public final double[] dy = new double[Batch.CAPACITY];
+    public final double[] dz = new double[Batch.CAPACITY];
+    public final double[] directionError = new double[Batch.CAPACITY];
+
+    // The nearest surface so far, and its distance.
+    public final int[] hit = new int[Batch.CAPACITY];
+    public final double[] distance = new double[Batch.CAPACITY];
+
+    /** The rays that have met several surfaces at about the same distance. */
+    public final int[] close = new int[Batch.CAPACITY];
+    public int closeCount;
+    /** By ray, that distance; negative if there is none. */
+    public final double[] closeDistance = new double[Batch.CAPACITY];
+
+    // The unit normal where the ray has arrived, and a bound on the error of each coordinate.
+    public final double[] nx = new double[Batch.CAPACITY];
+    public final double[] ny = new double[Batch.CAPACITY];
+    public final double[] nz = new double[Batch.CAPACITY];
+    public final double[] normalError = new double[Batch.CAPACITY];
+
+    // How much of the light that comes along the ray reaches the pixel: not set while it is all, as from the eye.
+    public final double[] red = new double[Batch.CAPACITY];
+    public final double[] green = new double[Batch.CAPACITY];
+    public final double[] blue = new double[Batch.CAPACITY];
+
+    // The same, as passes want them.
+    public final Vectors origin = new Vectors(ox, oy, oz);
+    public final Vectors direction = new Vectors(dx, dy, dz);
+    public final Vectors normal = new Vectors(nx, ny, nz);
+
+    // What moves with a ray.
+    private final double[][] ofEyeRays = {dx, dy, dz, distance};
+    private final double[][] ofLaterRays =
+            {dx, dy, dz, distance, ox, oy, oz, originError, directionError, red, green, blue};
+    private final double[][] ofArrivedRays = {nx, ny, nz, normalError, slide};
+    private final double[] selected = new double[Batch.CAPACITY];
+    private final int[] selectedInts = new int[Batch.CAPACITY];
+
+    /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
+    private final Pass mirroring = new Pass.InTurn(
+            new Pass.Dot(direction, normal, selected),
+            Pass.addProduct(direction, -2, selected, normal, direction),
+            new Pass.Length(direction, selected),
+            new Pass.DivideByLength(direction, selected));
+
+    public Rays() {
+        Arrays.fill(closeDistance, -1);
+    }
+
+    /**
+     * Starts at the eye, through some of these points: a ray's pixel is the number of its sample.
+     *
+     * @param aiming  that makes rays leave the eye through points in place of their normals
+     * @param through that has all these points, or null
+     */
+    public void start(Pass aiming, Window through, Samples samples, int from, int number) {
+        count = number;
+        window = through;
+        leaveEye = true;
+        areInOrder = true;
+        System.arraycopy(samples.x, from, nx, 0, count);
+        System.arraycopy(samples.y, from, ny, 0, count);
+        Pass.run(aiming, 0, count);
+        Arrays.fill(source, 0, count, NONE);
+        for (int i = 0; i < count; i++) {
+            pixel[i] = from + i;
+        }
+    }
+
+    /** Whether all rays from one index to another have met the same surface, or none. */
+    public boolean haveMetTheSame(int from, int to) {
+        // Each has if the next has.
+        return Arrays.equals(hit, from, to - 1, hit, from + 1, to);
+    }
+
+    /** Forgets what was met. */
+    public void clearHits() {
+        Arrays.fill(hit, 0, count, NONE);
+        Pass.run(new Pass.Fill(distance, Double.POSITIVE_INFINITY), 0, count);
+    }
+
+    /** The distance beyond which no hit can be, or tie with, the nearest of a ray. */
+    public double reach(int ray) {
+        return distance[ray] * (1 + Rounding.TIE_SIEVE);
+    }
+
+    /** Records that a ray meets a surface, at a distance of {@link #reach} at most. */
+    public void record(int ray, int slot, double t) {
+        if (t >= distance[ray] * (1 - Rounding.TIE_SIEVE)) {
+            recordClose(ray);
+        }
+        if (t < distance[ray]) {
+            hit[ray] = slot;
+            distance[ray] = t;
+        }
+    }
+
+    /** Records that a ray meets something else about where its nearest surface is. */
+    private void recordClose(int ray) {
+        if (closeDistance[ray] < 0) {
+            close[closeCount++] = ray;
+        }
+        closeDistance[ray] = distance[ray];
+    }
+
+    /** Whether less than this part of each component of the light that comes along a ray reaches the pixel. */
+    public boolean isFainter(int ray, double limit) {
+        return leaveEye ? limit > 1 : red[ray] < limit && green[ray] < limit && blue[ray] < limit;
+    }
+
+    /**
+     * Moves a ray's origin to where it has met a plane or triangle.
+     *
+     * @param products as for {@link Rounding#planeOffset}, seen from the old origin
+     */
+    public void arriveOnPlane(int ray, double products, double normalX, double normalY, double normalZ) {
+        double t = distance[ray];
+        double cosine = dx[ray] * normalX + dy[ray] * normalY + dz[ray] * normalZ;
+        ox[ray] += t * dx[ray];
+        oy[ray] += t * dy[ray];
+        oz[ray] += t * dz[ray];
+        slide[ray] = Rounding.planeDistance(0, Rounding.EYE_DIRECTION, products, t, cosine);
+        originError[ray] = Rounding.point(t, Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]));
+        nx[ray] = normalX;
+        ny[ray] = normalY;
+        nz[ray] = normalZ;
+        normalError[ray] = 2 * Rounding.U;
+    }
+
+    /** Turns all rays, which have arrived, into their mirror images. */
+    public void mirror() {
+        Pass.run(mirroring, 0, count);
+        for (int i = 0; i < count; i++) {
+            directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
+            // What slides along the old way slides along the new one, and twice as far as the old one goes down.
+            originError[i] += 2 * slide[i] * Math.abs(dx[i] * nx[i] + dy[i] * ny[i] + dz[i] * nz[i]);
+        }
+        System.arraycopy(hit, 0, source, 0, count);
+    }
+
+    /** Keeps some of the rays that have met something, in a new order; nothing is known yet of where they arrive. */
+    public void select(int[] order, int kept) {
+        areInOrder = false;
+        select(pixel, order, kept);
+        select(hit, order, kept);
+        // The other quantities are the same for all that leave the eye; and the next source is what was hit.
+        select(leaveEye ? ofEyeRays : ofLaterRays, order, kept);
+        count = kept;
+    }
+
+    /** Keeps some of the rays that have arrived, in a new order. */
+    public void selectArrived(int[] order, int kept) {
+        select(order, kept);
+        select(ofArrivedRays, order, kept);
+    }
+
+    private void select(double[][] quantities, int[] order, int kept) {
+        for (double[] quantity : quantities) {
+            select(quantity, order, kept);
+        }
+    }
+
+    private void select(double[] quantity, int[] order, int kept) {
+        for (int i = 0; i < kept; i++) {
+            selected[i] = quantity[order[i]];
+        }
+        System.arraycopy(selected, 0, quantity, 0, kept);
+    }
+
+    private void select(int[] quantity, int[] order, int kept) {
+        for (int i = 0; i < kept; i++) {
+            selectedInts[i] = quantity[order[i]];
+        }
+        System.arraycopy(selectedInts, 0, quantity, 0, kept);
+    }
+}

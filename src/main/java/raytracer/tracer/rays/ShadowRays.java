@@ -1,0 +1,69 @@
+package raytracer.tracer.rays;
+
+import java.util.Arrays;
+import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Vectors;
+
+/**
+ * From each point that a tile's rays have reached, the way to one light. Ray i here starts where ray i of {@link Rays}
+ * has arrived.
+ */
+public final class ShadowRays {
+
+    // Towards the light: a unit vector. And how far it is; infinite for a directional light.
+    public final double[] dx = new double[Batch.CAPACITY];
+    public final double[] dy = new double[Batch.CAPACITY];
+    public final double[] dz = new double[Batch.CAPACITY];
+    public final Vectors direction = new Vectors(dx, dy, dz);
+    public final double[] distance = new double[Batch.CAPACITY];
+
+    /** How far off a ray's origin may be, in whatever direction. */
+    public final double[] originError = new double[Batch.CAPACITY];
+
+    /** Whether it matters that the light is seen, and no surface found so far is in its way. */
+    public final boolean[] open = new boolean[Batch.CAPACITY];
+
+    // What the surface would return of the light, were it not blocked: the cosine at the surface, and the highlight.
+    public final double[] lambert = new double[Batch.CAPACITY];
+    public final double[] highlight = new double[Batch.CAPACITY];
+
+    /** The light that the rays go to; and its position, as often as there are rays. */
+    public Lamp lamp;
+    private final Vectors lamps = new Vectors();
+
+    private final Pass aiming;
+    private final Pass addErrors;
+
+    /** @param rays that will have arrived where these start */
+    public ShadowRays(Rays rays) {
+        aiming = new Pass.InTurn(
+                Pass.subtract(lamps, rays.origin, direction),
+                new Pass.Length(direction, distance),
+                new Pass.DivideByLength(direction, distance));
+        addErrors = new Pass.Add(rays.originError, rays.slide, originError);
+    }
+
+    /** Sets out from where rays, from one index to another, have arrived. */
+    public void start(int from, int end) {
+        Pass.run(addErrors, from, end);
+    }
+
+    /** Sets out to a lamp from where rays, from one index to another, have arrived. */
+    public void aim(Lamp to, int from, int end) {
+        if (lamp != to) {
+            lamp = to;
+            Arrays.fill(lamps.x(), to.x());
+            Arrays.fill(lamps.y(), to.y());
+            Arrays.fill(lamps.z(), to.z());
+        }
+        if (to.directional()) {
+            Arrays.fill(dx, from, end, to.x());
+            Arrays.fill(dy, from, end, to.y());
+            Arrays.fill(dz, from, end, to.z());
+            Arrays.fill(distance, from, end, Double.POSITIVE_INFINITY);
+            return;
+        }
+        Pass.run(aiming, from, end);
+    }
+}

@@ -1,0 +1,148 @@
+package raytracer.tracer.search;
+
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhWalk;
+import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.lightbuffer.LazyLightBuffer;
+import raytracer.tracer.lightbuffer.LightBuffer;
+import raytracer.tracer.primitive.BoundedSurfaces;
+import raytracer.tracer.primitive.Planes;
+import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+
+/**
+ * Offers a tile's rays the surfaces of one kind that they meet: to all rays those that their {@link Beam} meets, if it
+ * finds few; else each ray looks up what is ahead of it in the eye's {@link LightBuffer}, once there is one and if it
+ * comes from there, or walks through the tree. For one thread.
+ */
+public final class NearestSearch implements Pass {
+
+    private final BoundedSurfaces surfaces;
+    private final Bvh bvh;
+    private final Rays rays;
+    private final SearchWorkspace space;
+
+    private final Pass meetBeside = this::meetBeside;
+    private final Pass meetGathered = this::meetGathered;
+    private final Pass walk = this::walk;
+    private final Pass findCells = this::findCells;
+    private final Pass lookUp = this::lookUp;
+
+    private final LazyLightBuffer ofEye;
+    private LightBuffer buffer;
+
+    /**
+     * What records for every ray the nearest surface of one kind that it meets.
+     *
+     * @param eye where rays start, if they leave the eye
+     */
+    public static Pass among(Surfaces kind, Rays rays, Lamp eye, SearchWorkspace space) {
+        return kind instanceof BoundedSurfaces bounded
+                ? new NearestSearch(bounded, rays, bounded.lightBuffer(eye), space)
+                : ((Planes) kind).intersecting(rays, space.surfaces());
+    }
+
+    /** @param ofEye null if there is none, nor will be */
+    private NearestSearch(BoundedSurfaces surfaces, Rays rays, LazyLightBuffer ofEye, SearchWorkspace space) {
+        this.surfaces = surfaces;
+        this.rays = rays;
+        this.ofEye = ofEye;
+        this.space = space;
+        bvh = surfaces.bvh();
+    }
+
+    @Override
+    public void run(int from, int to) {
+        if (bvh.beside() > 0) {
+            Pass.run(meetBeside, from, to);
+        }
+        space.beam().take(rays, from, to);
+        if (!space.beam().gather(bvh)) {
+            findEach(from, to);
+        } else if (space.beam().count() > 0) {
+            Pass.run(meetGathered, from, to);
+        }
+    }
+
+    private void meetBeside(int from, int to) {
+        surfaces.prepareToMeet(rays, from, to, space.surfaces());
+        for (int k = 0; k < bvh.beside(); k++) {
+            surfaces.meetAll(rays, from, to, k, space.surfaces());
+        }
+    }
+
+    private void meetGathered(int from, int to) {
+        surfaces.prepareToMeet(rays, from, to, space.surfaces());
+        for (int n = 0; n < space.beam().count(); n++) {
+            surfaces.meetAll(rays, from, to, space.beam().thing(n), space.surfaces());
+        }
+    }
+
+    /** Ray by ray, after the beam of all has given up. */
+    private void findEach(int from, int to) {
+        buffer = rays.leaveEye && ofEye != null ? ofEye.insteadOfWalks(to - from) : null;
+        if (buffer != null) {
+            Pass.run(findCells, from, to);
+            Pass.run(lookUp, from, to);
+        } else {
+            Pass.run(walk, from, to);
+        }
+    }
+
+    // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
+
+    private void walk(int from, int to) {
+        for (int i = from; i < to; i++) {
+            walk(i);
+        }
+    }
+
+    private void walk(int i) {
+        BvhWalk walk = space.surfaces().walk;
+        if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
+            look(walk.x(), walk.y(), walk.z(), walk.start(), i);
+            meetOnTheWay(i);
+        }
+    }
+
+    private void look(double x, double y, double z, double far, int i) {
+        surfaces.look(bvh, x, y, z, far, rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i],
+                rays.directionError[i], space.surfaces());
+    }
+
+    private void meetOnTheWay(int ray) {
+        BvhWalk walk = space.surfaces().walk;
+        while (walk.nextLeaf(rays.reach(ray))) {
+            for (int left = surfaces.inSight(walk.first(), walk.end(), space.surfaces()); left != 0; left &= left - 1) {
+                surfaces.meet(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
+            }
+        }
+    }
+
+    private void findCells(int from, int to) {
+        buffer.findAhead(rays, from, to, space.cells());
+    }
+
+    private void lookUp(int from, int to) {
+        LightBuffer.Cells cells = space.cells();
+        for (int i = from; i < to; i++) {
+            if (cells.first[i] < cells.end[i]) {
+                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
+                look(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
+                meetInTheCell(i);
+            }
+        }
+    }
+
+    private void meetInTheCell(int ray) {
+        LightBuffer.Cells cells = space.cells();
+        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
+            int k = buffer.thing(entry);
+            if (surfaces.inSight(k, k + 1, space.surfaces()) != 0) {
+                surfaces.meet(rays, ray, k);
+                buffer.limit(rays.reach(ray), ray, cells);
+            }
+        }
+    }
+}

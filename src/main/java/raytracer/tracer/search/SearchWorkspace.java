@@ -1,0 +1,12 @@
+package raytracer.tracer.search;
+
+import raytracer.tracer.lightbuffer.LightBuffer;
+import raytracer.tracer.primitive.Workspace;
+
+/** What one thread needs to search for surfaces. */
+public record SearchWorkspace(Workspace surfaces, Beam beam, LightBuffer.Cells cells) {
+
+    public SearchWorkspace() {
+        this(new Workspace(), new Beam(), new LightBuffer.Cells());
+    }
+}

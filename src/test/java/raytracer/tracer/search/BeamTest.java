@@ -1,0 +1,161 @@
+package raytracer.tracer.search;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.BitSet;
+import java.util.Random;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import raytracer.scene.Colour;
+import raytracer.scene.Vector;
+import raytracer.tracer.bvh.BvhTest;
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.Rays;
+
+@DisplayName("A beam")
+class BeamTest {
+
+    private static final int RAYS = 40;
+
+    private final Beam beam = new Beam();
+    private final Rays rays = new Rays();
+    private final double[][] o = {rays.ox, rays.oy, rays.oz};
+    private final double[][] d = {rays.dx, rays.dy, rays.dz};
+    private final double[] distance = rays.distance;
+
+    private void set(int ray, Vector origin, Vector direction, double far) {
+        o[0][ray] = origin.x();
+        o[1][ray] = origin.y();
+        o[2][ray] = origin.z();
+        d[0][ray] = direction.x();
+        d[1][ray] = direction.y();
+        d[2][ray] = direction.z();
+        distance[ray] = far;
+    }
+
+    private boolean gather(Bvh bvh) {
+        beam.take(rays, 0, RAYS);
+        return beam.gather(bvh);
+    }
+
+    private BitSet gathered(Bvh bvh) {
+        BitSet things = new BitSet();
+        for (int i = 0; i < beam.count(); i++) {
+            things.set(bvh.order()[beam.thing(i)]);
+        }
+        for (int k = 0; k < bvh.beside(); k++) {
+            things.set(bvh.order()[k]);
+        }
+        return things;
+    }
+
+    @ParameterizedTest(name = "holds all that its rays meet: world offset {0}, origins {1} apart, directions {2} apart")
+    @CsvSource({"0, 0, .01", "0, .02, .005", "0, .02, 0", "1e6, .01, .01", "-1e9, .01, .01", "0, .5, .3"})
+    void holdsAllThatItsRaysMeet(double offset, double apart, double spread) {
+        double[][] boxes = BvhTest.cubes(300, 2, .04, offset, 1);
+        Bvh bvh = BvhTest.build(boxes, 2);
+        Random random = new Random(2);
+        int met = 0, wide = 0;
+        for (int tile = 0; tile < 800; tile++) {
+            Vector axis = tile % 4 == 0 ? new Vector(0, tile % 8 == 0 ? 1 : -1, 0)
+                    : new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector start = new Vector(offset - 3 * axis.x() + random.nextDouble() - .5,
+                    offset - 3 * axis.y() + random.nextDouble() - .5, offset - 3 * axis.z() + random.nextDouble() - .5);
+            for (int i = 0; i < RAYS; i++) {
+                Vector from = new Vector(start.x() + apart * random.nextDouble(), start.y() + apart * random.nextDouble(),
+                        start.z() + apart * random.nextDouble());
+                set(i, from, new Vector(axis.x() + spread * random.nextGaussian(), axis.y() + spread * random.nextGaussian(),
+                        axis.z() + spread * random.nextGaussian()).unit(), i % 2 == 0 ? 2.5 + random.nextDouble() : 3);
+            }
+            if (!gather(bvh)) {
+                wide++;
+                continue;
+            }
+            BitSet things = gathered(bvh);
+            for (int i = 0; i < RAYS; i++) {
+                Vector from = new Vector(o[0][i], o[1][i], o[2][i]), way = new Vector(d[0][i], d[1][i], d[2][i]);
+                for (int k = 0; k < boxes.length; k++) {
+                    if (BvhTest.meets(boxes[k], from, way, distance[i])) {
+                        assertTrue(things.get(k), "tile " + tile + ", ray " + i + " misses box " + k);
+                        met++;
+                    }
+                }
+            }
+        }
+        assertTrue(spread > .1 ? wide > 100 : met > 300, met + " met, " + wide + " too wide");
+    }
+
+    @ParameterizedTest(name = "to a lamp holds all that may be in the way: world offset {0}, origins {1} apart")
+    @CsvSource({"0, .1", "1e6, .02", "-1e9, .1"})
+    void holdsAllThatMayBeBeforeALamp(double offset, double apart) {
+        double[][] boxes = BvhTest.cubes(300, 2, .04, offset, 1);
+        Bvh bvh = BvhTest.build(boxes, 2);
+        Random random = new Random(4);
+        int met = 0;
+        for (int tile = 0; tile < 800; tile++) {
+            Vector axis = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector place = new Vector(offset + 2 * axis.x(), offset + 2 * axis.y(), offset + 2 * axis.z());
+            boolean directional = tile % 2 == 0;
+            Lamp lamp = directional ? new Lamp(true, -axis.x(), -axis.y(), -axis.z(), Colour.BLACK)
+                    : new Lamp(false, place.x(), place.y(), place.z(), Colour.BLACK);
+            for (int i = 0; i < RAYS; i++) {
+                o[0][i] = offset + (directional ? 2 * axis.x() : 0) + apart * random.nextDouble();
+                o[1][i] = offset + (directional ? 2 * axis.y() : 0) + apart * random.nextDouble();
+                o[2][i] = offset + (directional ? 2 * axis.z() : 0) + apart * random.nextDouble();
+            }
+            beam.take(rays, lamp, 0, RAYS);
+            if (!beam.gather(bvh)) {
+                continue;
+            }
+            BitSet things = gathered(bvh);
+            for (int i = 0; i < RAYS; i++) {
+                Vector from = new Vector(o[0][i], o[1][i], o[2][i]);
+                Vector way = directional ? new Vector(lamp.x(), lamp.y(), lamp.z()) : place.minus(from).unit();
+                double far = directional ? Double.POSITIVE_INFINITY : place.minus(from).length();
+                for (int k = 0; k < boxes.length; k++) {
+                    if (BvhTest.meets(boxes[k], from, way, far)) {
+                        assertTrue(things.get(k), "tile " + tile + ", ray " + i + " misses box " + k);
+                        met++;
+                    }
+                }
+            }
+        }
+        assertTrue(met > 300, met + " met");
+    }
+
+    @Test
+    void givesUpWhenItsRaysGoAllWays() {
+        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
+        Random random = new Random(3);
+        for (int i = 0; i < RAYS; i++) {
+            set(i, new Vector(0, 0, 0), new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit(), 9);
+        }
+        assertFalse(gather(bvh));
+    }
+
+    @Test
+    void givesUpFromSoFarAwayThatDoublesDoNotReach() {
+        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
+        for (int i = 0; i < RAYS; i++) {
+            set(i, new Vector(0, 0, 1e12), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
+        }
+        assertFalse(gather(bvh));
+    }
+
+    @Test
+    void findsNothingBehindOrBeyond() {
+        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
+        for (int i = 0; i < RAYS; i++) {
+            set(i, new Vector(0, 0, 5), new Vector(0, 0, 1), Double.POSITIVE_INFINITY);
+        }
+        assertTrue(gather(bvh) && beam.count() == 0);
+        for (int i = 0; i < RAYS; i++) {
+            set(i, new Vector(0, 0, 5), new Vector(0, 0, -1), 3);
+        }
+        assertTrue(gather(bvh) && beam.count() == 0);
+    }
+}
