@@ -91,8 +91,8 @@ final class Stats {
                 words.append(String.format(Locale.ROOT, "tree of %d %s: %s, depth %d, %.1f MB%n", tree.things(),
                         tree.kind(), counted(tree.nodes(), "node"), tree.depth(), tree.bytes() / 1e6));
             }
-            if (tree.beside() > 0) {
-                words.append(counted(tree.beside(), tree.kind().substring(0, tree.kind().length() - 1))
+            if (tree.oversized() > 0) {
+                words.append(counted(tree.oversized(), tree.kind().substring(0, tree.kind().length() - 1))
                         + " too wide for a tree\n");
             }
         }

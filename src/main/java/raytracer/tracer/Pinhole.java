@@ -4,11 +4,11 @@ import java.util.List;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.lightbuffer.Frustum;
 import raytracer.tracer.lightbuffer.Viewpoint;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.Window;
@@ -44,7 +44,7 @@ final class Pinhole {
         up = toEye.cross(camera.right()).times(halfHeight);
         backward = toEye.times(height);
         double x = width + RIM, y = height + RIM;
-        viewpoint = new Viewpoint(Lamp.ofEye(eye),
+        viewpoint = new Viewpoint(LightSource.ofEye(eye),
                 new Frustum(List.of(towards(-x, y), towards(x, y), towards(x, -y), towards(-x, -y))));
     }
 
@@ -73,7 +73,7 @@ final class Pinhole {
     }
 
     /** The eye in place of a light. */
-    Lamp lamp() {
+    LightSource lamp() {
         return viewpoint.source();
     }
 
@@ -86,27 +86,27 @@ final class Pinhole {
     }
 
     /** What makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
-    Pass aiming(Rays rays) {
-        return new Pass.InTurn(
+    Kernel aiming(Rays rays) {
+        return new Kernel.InTurn(
                 // Twice the position less the size is exact for pixels' centres in a picture of any size.
-                new Pass.Linear(rays.nx, 2, -width),
-                new Pass.Linear(rays.ny, -2, height),
+                new Kernel.Linear(rays.nx, 2, -width),
+                new Kernel.Linear(rays.ny, -2, height),
                 new Component(rays.nx, rays.ny, right.x(), up.x(), backward.x(), rays.dx),
                 new Component(rays.nx, rays.ny, right.y(), up.y(), backward.y(), rays.dy),
                 new Component(rays.nx, rays.ny, right.z(), up.z(), backward.z(), rays.dz),
-                new Pass.Length(rays.direction, rays.nz),
-                new Pass.DivideByLength(rays.direction, rays.nz),
-                new Pass.Fill(rays.directionError, Rounding.EYE_DIRECTION),
-                new Pass.Fill(rays.ox, eye.x()),
-                new Pass.Fill(rays.oy, eye.y()),
-                new Pass.Fill(rays.oz, eye.z()),
-                new Pass.Fill(rays.originError, 0),
-                new Pass.Fill(rays.slide, 0));
+                new Kernel.Length(rays.direction, rays.nz),
+                new Kernel.DivideByLength(rays.direction, rays.nz),
+                new Kernel.Fill(rays.directionError, Rounding.EYE_DIRECTION),
+                new Kernel.Fill(rays.ox, eye.x()),
+                new Kernel.Fill(rays.oy, eye.y()),
+                new Kernel.Fill(rays.oz, eye.z()),
+                new Kernel.Fill(rays.originError, 0),
+                new Kernel.Fill(rays.slide, 0));
     }
 
     /** Of directions. */
     private record Component(double[] x, double[] y, double toRight, double toTop, double toEye, double[] out)
-            implements Pass {
+            implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {

@@ -4,14 +4,14 @@ import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.search.BlockerSearch;
+import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.SearchWorkspace;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
@@ -20,28 +20,28 @@ final class Shading {
     /** The greatest whole exponent that is multiplied out. */
     private static final int MOST_MULTIPLIED = 1024;
 
-    private final List<Lamp> lamps;
+    private final List<LightSource> lamps;
     private final Rays rays;
     private final ShadowRays shadows;
     private long shadowCount;
 
     // What is shaded, and from which lamp.
     private Material material;
-    private Lamp lamp;
+    private LightSource lamp;
 
-    private final Pass aim = this::aim;
-    private final Pass findReflectance = this::findReflectance;
-    private final Pass addLight = this::addLight;
-    private final Pass[] block;
+    private final Kernel aim = this::aim;
+    private final Kernel findReflectance = this::findReflectance;
+    private final Kernel addLight = this::addLight;
+    private final Kernel[] block;
 
-    private final Pass findLambert;
-    private final Pass findHighlight;
-    private final Pass limitLambert;
-    private final Pass cutHighlight;
-    private final Pass multiplyPower;
-    private final Pass squareHighlight;
-    private final Pass invertPower;
-    private final Pass limitPower;
+    private final Kernel findLambert;
+    private final Kernel findHighlight;
+    private final Kernel limitLambert;
+    private final Kernel cutHighlight;
+    private final Kernel multiplyPower;
+    private final Kernel squareHighlight;
+    private final Kernel invertPower;
+    private final Kernel limitPower;
 
     // By ray: the light that is left, none or any; the highlight to the power of the shininess.
     private final double[] most = new double[Batch.CAPACITY];
@@ -56,35 +56,35 @@ final class Shading {
     private final Term specularTerm;
 
     /** @param rays what is shaded, when it has arrived */
-    Shading(List<Surfaces> surfaces, List<Lamp> lamps, Rays rays, SearchWorkspace space) {
+    Shading(List<Surfaces> surfaces, List<LightSource> lamps, Rays rays, SearchWorkspace space) {
         this.lamps = lamps;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        block = new Pass[surfaces.size()];
+        block = new Kernel[surfaces.size()];
         for (int kind = 0; kind < block.length; kind++) {
-            block[kind] = BlockerSearch.among(surfaces.get(kind), rays, shadows, space);
+            block[kind] = AnyHit.among(surfaces.get(kind), rays, shadows, space);
         }
         ShadowRays s = shadows;
-        findLambert = new Pass.Dot(rays.normal, s.direction, s.lambert);
+        findLambert = new Kernel.Dot(rays.normal, s.direction, s.lambert);
         // The half vector, not of length 1: the cosine is divided by its length instead.
         Vectors half = new Vectors();
-        findHighlight = new Pass.InTurn(
-                Pass.subtract(s.direction, rays.direction, half),
-                new Pass.Dot(rays.normal, half, s.highlight),
-                new Pass.Length(half, power),
-                new Pass.Divide(s.highlight, power, s.highlight));
-        limitLambert = new Pass.InTurn(new Pass.Cut(s.lambert), new Pass.Limit(s.lambert, most));
-        cutHighlight = new Pass.Cut(s.highlight);
-        multiplyPower = new Pass.Multiply(power, s.highlight);
-        squareHighlight = new Pass.Multiply(s.highlight, s.highlight);
-        invertPower = new Pass.Invert(power);
-        limitPower = new Pass.Limit(power, most);
+        findHighlight = new Kernel.InTurn(
+                Kernel.subtract(s.direction, rays.direction, half),
+                new Kernel.Dot(rays.normal, half, s.highlight),
+                new Kernel.Length(half, power),
+                new Kernel.Divide(s.highlight, power, s.highlight));
+        limitLambert = new Kernel.InTurn(new Kernel.Cut(s.lambert), new Kernel.Limit(s.lambert, most));
+        cutHighlight = new Kernel.Cut(s.highlight);
+        multiplyPower = new Kernel.Multiply(power, s.highlight);
+        squareHighlight = new Kernel.Multiply(s.highlight, s.highlight);
+        invertPower = new Kernel.Invert(power);
+        limitPower = new Kernel.Limit(power, most);
         diffuseTerm = new Term(s.lambert);
         specularTerm = new Term(power);
     }
 
     /** Adds light times colour times a number by ray to the result. */
-    private final class Term implements Pass {
+    private final class Term implements Kernel {
         private final double[] by;
         private Colour light;
         private Colour colour;
@@ -96,7 +96,7 @@ final class Shading {
         void add(Colour ofLight, Colour ofSurface, int from, int to) {
             light = ofLight;
             colour = ofSurface;
-            Pass.run(this, from, to);
+            Kernel.run(this, from, to);
         }
 
         @Override
@@ -132,24 +132,24 @@ final class Shading {
      */
     void shade(int from, int to, Material ofAll, Samples samples) {
         material = ofAll;
-        Pass.run(new Pass.Fill(red, material.ambient().red()), from, to);
-        Pass.run(new Pass.Fill(green, material.ambient().green()), from, to);
-        Pass.run(new Pass.Fill(blue, material.ambient().blue()), from, to);
+        Kernel.run(new Kernel.Fill(red, material.ambient().red()), from, to);
+        Kernel.run(new Kernel.Fill(green, material.ambient().green()), from, to);
+        Kernel.run(new Kernel.Fill(blue, material.ambient().blue()), from, to);
         if (material.diffuse().isBlack() && material.specular().isBlack()) {
             return;
         }
         shadows.start(from, to);
-        for (Lamp each : lamps) {
+        for (LightSource each : lamps) {
             lamp = each;
-            Pass.run(aim, from, to);
-            Pass.run(findReflectance, from, to);
+            Kernel.run(aim, from, to);
+            Kernel.run(findReflectance, from, to);
             int open = open(from, to);
             if (open > 0) {
                 shadowCount += open;
-                for (Pass kind : block) {
-                    Pass.run(kind, from, to);
+                for (Kernel kind : block) {
+                    Kernel.run(kind, from, to);
                 }
-                Pass.run(addLight, from, to);
+                Kernel.run(addLight, from, to);
             }
             // Even where all are dark: a path must not depend on what other rays are in the group.
             if (samples.path != null) {
@@ -166,7 +166,7 @@ final class Shading {
         for (int i = from; i < to; i++) {
             int p = rays.pixel[i];
             if (!rays.isFainter(i, samples.faintest)) {
-                samples.path[p] = extendPath(samples.path[p], shadows.open[i] ? 1 : 0);
+                samples.path[p] = extendPath(samples.path[p], shadows.unoccluded[i] ? 1 : 0);
             }
         }
     }
@@ -178,9 +178,9 @@ final class Shading {
 
     /** Computes the cosines that decide how much light the surface returns. */
     private void findReflectance(int from, int to) {
-        Pass.run(findLambert, from, to);
+        Kernel.run(findLambert, from, to);
         if (!material.specular().isBlack()) {
-            Pass.run(findHighlight, from, to);
+            Kernel.run(findHighlight, from, to);
         }
     }
 
@@ -192,7 +192,7 @@ final class Shading {
         for (int i = from; i < to; i++) {
             boolean open = shadows.distance[i] > 0 && (diffuse && shadows.lambert[i] > 0
                     || alwaysSpecular || specular && shadows.highlight[i] > 0);
-            shadows.open[i] = open;
+            shadows.unoccluded[i] = open;
             count += open ? 1 : 0;
         }
         return count;
@@ -200,13 +200,13 @@ final class Shading {
 
     private void addLight(int from, int to) {
         Colour light = lamp.colour();
-        most(shadows.open, most, from, to);
-        Pass.run(limitLambert, from, to);
+        most(shadows.unoccluded, most, from, to);
+        Kernel.run(limitLambert, from, to);
         diffuseTerm.add(light, material.diffuse(), from, to);
         if (!material.specular().isBlack()) {
-            Pass.run(cutHighlight, from, to);
+            Kernel.run(cutHighlight, from, to);
             power(material.shininess(), from, to);
-            Pass.run(limitPower, from, to);
+            Kernel.run(limitPower, from, to);
             specularTerm.add(light, material.specular(), from, to);
         }
     }
@@ -230,15 +230,15 @@ final class Shading {
             }
             return;
         }
-        Pass.run(new Pass.Fill(power, 1), from, to);
+        Kernel.run(new Kernel.Fill(power, 1), from, to);
         for (; n > 0; n >>= 1) {
             if ((n & 1) == 1) {
-                Pass.run(multiplyPower, from, to);
+                Kernel.run(multiplyPower, from, to);
             }
-            Pass.run(squareHighlight, from, to);
+            Kernel.run(squareHighlight, from, to);
         }
         if (s < 0) {
-            Pass.run(invertPower, from, to);
+            Kernel.run(invertPower, from, to);
         }
     }
 }

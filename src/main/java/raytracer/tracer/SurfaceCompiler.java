@@ -13,7 +13,7 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.primitive.Planes;
-import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.primitive.Triangles;
@@ -124,8 +124,8 @@ final class SurfaceCompiler {
     }
 
     /** Complete when the surfaces have been made. */
-    SlotTable slots() {
-        return new SlotTable(declaredBySlot, lookBySlot, looks.toArray(new Material[0]));
+    SurfaceTable slots() {
+        return new SurfaceTable(declaredBySlot, lookBySlot, looks.toArray(new Material[0]));
     }
 
     private Surfaces planes() {

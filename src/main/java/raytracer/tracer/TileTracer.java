@@ -6,14 +6,14 @@ import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Pass;
-import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.kernel.Kernel;
+import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.Window;
-import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
 
@@ -46,17 +46,17 @@ public final class TileTracer {
     private final SearchWorkspace space = new SearchWorkspace();
     private final Rays rays;
     private final Ties ties;
-    private final Pass aiming;
-    private final Pass[] find;
-    private final Groups groups;
+    private final Kernel aiming;
+    private final Kernel[] find;
+    private final ShadingGroups groups;
     private final Shading shading;
     private final int[] kept = new int[Batch.CAPACITY];
 
-    private final Pass starting = this::start;
+    private final Kernel starting = this::start;
 
     /** In turn from one place, which runs any of them, so that HotSpot compiles each alone. */
     private final Runnable[] steps = {
-        this::findNearest, this::arrange, this::arrive, this::shade, this::addToSamples, this::reflect};
+        this::findClosestHits, this::arrange, this::moveToHits, this::shade, this::addToSamples, this::reflect};
 
     /** How many surfaces the paths of this round's rays have met with the one that they meet now. */
     private int depth;
@@ -70,18 +70,18 @@ public final class TileTracer {
     private long primaryCount;
     private long reflectionCount;
 
-    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
+    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable slots, List<LightSource> lamps, int maxDepth) {
         this.surfaces = surfaces;
         this.material = slots.material();
         this.maxDepth = maxDepth;
         rays = new Rays();
         ties = new Ties(slots.declared(), surfaces, rays, space.surfaces());
-        groups = new Groups(slots);
+        groups = new ShadingGroups(slots);
         this.pinhole = pinhole;
         aiming = pinhole.aiming(rays);
-        find = new Pass[surfaces.size()];
+        find = new Kernel[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
-            find[kind] = NearestSearch.among(surfaces.get(kind), rays, pinhole.lamp(), space);
+            find[kind] = ClosestHit.among(surfaces.get(kind), rays, pinhole.lamp(), space);
         }
         shading = new Shading(surfaces, lamps, rays, space);
     }
@@ -118,7 +118,7 @@ public final class TileTracer {
     }
 
     private void trace(int from, int to) {
-        Pass.run(starting, from, to);
+        Kernel.run(starting, from, to);
         depth = 1;
         while (rays.count > 0) {
             for (Runnable step : steps) {
@@ -128,9 +128,9 @@ public final class TileTracer {
     }
 
     private void start(int from, int to) {
-        Pass.run(new Pass.Fill(samples.red, 0), from, to);
-        Pass.run(new Pass.Fill(samples.green, 0), from, to);
-        Pass.run(new Pass.Fill(samples.blue, 0), from, to);
+        Kernel.run(new Kernel.Fill(samples.red, 0), from, to);
+        Kernel.run(new Kernel.Fill(samples.green, 0), from, to);
+        Kernel.run(new Kernel.Fill(samples.blue, 0), from, to);
         if (samples.path != null) {
             Arrays.fill(samples.path, from, to, 0);
         }
@@ -146,10 +146,10 @@ public final class TileTracer {
     }
 
     /** Finds every ray's nearest surface. */
-    private void findNearest() {
+    private void findClosestHits() {
         rays.clearHits();
-        for (Pass kind : find) {
-            Pass.run(kind, 0, rays.count);
+        for (Kernel kind : find) {
+            Kernel.run(kind, 0, rays.count);
         }
         ties.settle();
     }
@@ -163,12 +163,12 @@ public final class TileTracer {
     }
 
     /** Takes every ray there, and notes what it has met. */
-    private void arrive() {
+    private void moveToHits() {
         for (int group = 0; group < groups.count(); group++) {
             int first = rays.hit[groups.start(group)];
             for (Surfaces kind : surfaces) {
                 if (kind.owns(first)) {
-                    kind.arrive(rays, groups.start(group), groups.end(group), space.surfaces());
+                    kind.moveToHits(rays, groups.start(group), groups.end(group), space.surfaces());
                     if (samples.path != null) {
                         extendPaths(groups.start(group), groups.end(group), kind.isOfOneSurface(), groups.look(group));
                     }
@@ -254,9 +254,9 @@ public final class TileTracer {
     /** Takes a mirror's share of light from rays, and keeps those that are worth following; returns how many are. */
     private int dim(int from, int to, Colour mirror, int keptBefore) {
         if (rays.leaveEye) {
-            Pass.run(new Pass.Fill(rays.red, 1), from, to);
-            Pass.run(new Pass.Fill(rays.green, 1), from, to);
-            Pass.run(new Pass.Fill(rays.blue, 1), from, to);
+            Kernel.run(new Kernel.Fill(rays.red, 1), from, to);
+            Kernel.run(new Kernel.Fill(rays.green, 1), from, to);
+            Kernel.run(new Kernel.Fill(rays.blue, 1), from, to);
         }
         int count = keptBefore;
         for (int i = from; i < to; i++) {

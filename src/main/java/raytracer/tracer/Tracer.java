@@ -9,9 +9,9 @@ import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.primitive.BoundedSurfaces;
-import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 
 /**
  * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size.
@@ -24,11 +24,11 @@ public final class Tracer {
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
-    private final SlotTable slots;
-    private final List<Lamp> lamps;
+    private final SurfaceTable slots;
+    private final List<LightSource> lamps;
     private final int maxDepth;
 
-    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SlotTable slots, List<Lamp> lamps, int maxDepth) {
+    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable slots, List<LightSource> lamps, int maxDepth) {
         this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.slots = slots;
@@ -41,9 +41,9 @@ public final class Tracer {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
             Pinhole pinhole = new Pinhole(scene);
-            List<Lamp> lamps = new ArrayList<>();
+            List<LightSource> lamps = new ArrayList<>();
             for (Light light : scene.lights()) {
-                lamps.add(Lamp.of(light));
+                lamps.add(LightSource.of(light));
             }
             List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
             lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));

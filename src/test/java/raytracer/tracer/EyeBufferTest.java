@@ -19,7 +19,7 @@ import raytracer.tracer.primitive.BoundedSurfaces;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
-import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 
 @DisplayName("A light buffer of the eye")
@@ -64,7 +64,7 @@ class EyeBufferTest {
         Rays rays = new Rays();
         rays.start(pinhole.aiming(rays), null, samples, 0, Batch.CAPACITY);
         rays.clearHits();
-        surfaces.forEach(kind -> NearestSearch.among(kind, rays, pinhole.lamp(), space).run(0, Batch.CAPACITY));
+        surfaces.forEach(kind -> ClosestHit.among(kind, rays, pinhole.lamp(), space).run(0, Batch.CAPACITY));
         return rays;
     }
 }

@@ -65,7 +65,7 @@ public final class KernelAccess {
             Rays rays = tiles[tile];
             rays.clearHits();
             for (int i = 0; i < rays.count; i++) {
-                surfaces.meet(rays, i, slots[tile][i]);
+                surfaces.intersect(rays, i, slots[tile][i]);
             }
             sum += rays.distance[0];
         }

@@ -27,7 +27,7 @@ import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 
 /** Laws that hold for every scene, whatever its picture is. */
@@ -167,7 +167,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        NearestSearch.among(surfaces, rays, null, new SearchWorkspace()).run(0, rays.count);
+        ClosestHit.among(surfaces, rays, null, new SearchWorkspace()).run(0, rays.count);
         return rays;
     }
 

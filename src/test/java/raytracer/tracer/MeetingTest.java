@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import raytracer.scene.Colour;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.Ties;
 
@@ -26,8 +26,8 @@ class MeetingTest {
         return new Vector(x, y, z);
     }
 
-    private static Lamp lamp(double x, double y, double z) {
-        return new Lamp(false, x, y, z, new Colour(1, 1, 1));
+    private static LightSource lamp(double x, double y, double z) {
+        return new LightSource(false, x, y, z, new Colour(1, 1, 1));
     }
 
     @Nested
@@ -190,8 +190,8 @@ class MeetingTest {
                 assertFalse(onFloor(blocker).sees(lamp(0, 10, 0)), blocker);
                 assertTrue(onFloor(blocker).sees(lamp(0, 3, 0)), blocker);
                 assertTrue(onFloor(blocker).sees(lamp(20, 3, 0)), blocker);
-                assertFalse(onFloor(blocker).sees(new Lamp(true, 0, 1, 0, Colour.BLACK)), blocker);
-                assertTrue(onFloor(blocker).sees(new Lamp(true, 0, -1, 0, Colour.BLACK)), blocker);
+                assertFalse(onFloor(blocker).sees(new LightSource(true, 0, 1, 0, Colour.BLACK)), blocker);
+                assertTrue(onFloor(blocker).sees(new LightSource(true, 0, -1, 0, Colour.BLACK)), blocker);
             }
         }
 

@@ -7,13 +7,13 @@ import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.text.Scenes;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.search.BlockerSearch;
-import raytracer.tracer.search.NearestSearch;
+import raytracer.tracer.search.AnyHit;
+import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
 
@@ -22,7 +22,7 @@ public final class Probe {
 
     private static final String HEAD = "size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n";
 
-    private final SlotTable slots;
+    private final SurfaceTable slots;
     private final List<Surfaces> surfaces;
     private final Rays rays;
     private final Ties ties;
@@ -60,7 +60,7 @@ public final class Probe {
     }
 
     /** Whether a light is seen from where the last ray arrived. */
-    boolean sees(Lamp lamp) {
+    boolean sees(LightSource lamp) {
         ShadowRays shadows = new ShadowRays(rays);
         shadows.lamp = lamp;
         Vector way = new Vector(lamp.x(), lamp.y(), lamp.z());
@@ -73,21 +73,21 @@ public final class Probe {
         shadows.dx[0] = unit.x();
         shadows.dy[0] = unit.y();
         shadows.dz[0] = unit.z();
-        shadows.open[0] = true;
+        shadows.unoccluded[0] = true;
         shadows.start(0, 1);
-        surfaces.forEach(kind -> BlockerSearch.among(kind, rays, shadows, space).run(0, 1));
-        return shadows.open[0];
+        surfaces.forEach(kind -> AnyHit.among(kind, rays, shadows, space).run(0, 1));
+        return shadows.unoccluded[0];
     }
 
     /** Whether a light at a point is seen from where the last ray arrived. */
     public boolean seesPoint(Vector p) {
-        return sees(new Lamp(false, p.x(), p.y(), p.z(), Colour.BLACK));
+        return sees(new LightSource(false, p.x(), p.y(), p.z(), Colour.BLACK));
     }
 
     /** Whether a light at infinity is seen from where the last ray arrived. */
     public boolean seesAlong(Vector towards) {
         Vector unit = towards.unit();
-        return sees(new Lamp(true, unit.x(), unit.y(), unit.z(), Colour.BLACK));
+        return sees(new LightSource(true, unit.x(), unit.y(), unit.z(), Colour.BLACK));
     }
 
     private void aim(Vector origin, Vector direction) {
@@ -102,13 +102,13 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> NearestSearch.among(kind, rays, null, space).run(0, rays.count));
+        surfaces.forEach(kind -> ClosestHit.among(kind, rays, null, space).run(0, rays.count));
         ties.settle();
         int slot = rays.hit[0];
         if (slot == Rays.NONE) {
             return null;
         }
-        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.arrive(rays, 0, 1, space.surfaces()));
+        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.moveToHits(rays, 0, 1, space.surfaces()));
         return new Meeting(slots.declared()[slot], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }

@@ -131,7 +131,7 @@ public final class Textbook {
                 material = plane.material();
             }
         }
-        for (int k = 0; k < sphereTree.beside(); k++) {
+        for (int k = 0; k < sphereTree.oversized(); k++) {
             found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
         }
         setOut(sphereTree, o, d);
@@ -140,7 +140,7 @@ public final class Textbook {
                 found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
             }
         }
-        for (int k = 0; k < triangleTree.beside(); k++) {
+        for (int k = 0; k < triangleTree.oversized(); k++) {
             found |= triangle(triangleTree.order()[k], o, d);
         }
         setOut(triangleTree, o, d);

@@ -23,9 +23,9 @@ import raytracer.text.Scenes;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.primitive.BoundedSurfaces;
-import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Samples;
 
 @DisplayName("Of surfaces that rounding cannot tell apart")
@@ -40,15 +40,15 @@ class TiesTest {
     private static final class Searched {
         private final Pinhole pinhole;
         private final List<Surfaces> surfaces;
-        private final SlotTable slots;
-        private final List<Lamp> lamps = new ArrayList<>();
+        private final SurfaceTable slots;
+        private final List<LightSource> lamps = new ArrayList<>();
         private final int maxDepth;
 
         Searched(String text) throws Exception {
             Scene scene = Scenes.parse(text).scene();
             pinhole = new Pinhole(scene);
             for (Light light : scene.lights()) {
-                lamps.add(Lamp.of(light));
+                lamps.add(LightSource.of(light));
             }
             List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
             lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
@@ -60,11 +60,11 @@ class TiesTest {
 
         /** Makes it so that every ray that would walk the tree looks into a light buffer instead; returns how many. */
         int buildLightBuffers() {
-            List<Lamp> all = new ArrayList<>(lamps);
+            List<LightSource> all = new ArrayList<>(lamps);
             all.add(pinhole.lamp());
             int built = 0;
             for (Surfaces kind : surfaces) {
-                for (Lamp lamp : all) {
+                for (LightSource lamp : all) {
                     built += kind instanceof BoundedSurfaces bounded
                             && bounded.lightBuffer(lamp).insteadOfWalks(Integer.MAX_VALUE) != null ? 1 : 0;
                 }

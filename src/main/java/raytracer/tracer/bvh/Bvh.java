@@ -9,12 +9,12 @@ package raytracer.tracer.bvh;
  * tree. They are conservative: {@link #PADDING} covers every rounding between a thing and a ray's test of its box.
  *
  * @param order    the things: those beside the tree, then those in the order of the leaves
- * @param beside   how many are beside the tree
+ * @param oversized how many are beside the tree
  * @param nodes    {@link #NODE_STRIDE} numbers a node
  * @param root     a node's number, a leaf, or {@link #EMPTY}
  * @param scale    a power of two: tree space is (world - centre) * scale
  */
-public record Bvh(int[] order, int beside, float[] nodes, int root,
+public record Bvh(int[] order, int oversized, float[] nodes, int root,
         double centreX, double centreY, double centreZ, double scale) {
 
     public static final int WIDTH = 4;

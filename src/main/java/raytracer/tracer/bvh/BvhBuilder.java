@@ -7,7 +7,7 @@ import java.util.concurrent.RecursiveTask;
 
 /**
  * Builds a {@link Bvh} from the top by the surface area heuristic, tried at 16 places along the axis on which the
- * boxes' centres spread most ({@link Split}). Large parts are built in parallel; the tree does not depend on the number
+ * boxes' centres spread most ({@link SahSplitter}). Large parts are built in parallel; the tree does not depend on the number
  * of threads.
  */
 public final class BvhBuilder {
@@ -53,7 +53,7 @@ public final class BvhBuilder {
             return new Bvh(order, beside, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
         float[] boxes = new float[6 * (count - beside)];
-        Halves.run(pool, beside, count, new TreeBoxes(boxes, beside, order, bounds, new double[] {cx, cy, cz}, scale));
+        ParallelRange.run(pool, beside, count, new TreeBoxes(boxes, beside, order, bounds, new double[] {cx, cy, cz}, scale));
         Nodes nodes = new Nodes();
         int root = Bvh.leaf(beside, count - beside);
         if (count - beside > leafSize) {
@@ -94,7 +94,7 @@ public final class BvhBuilder {
 
     /** Brings the boxes of things, from the first in the tree on, to tree space. */
     private record TreeBoxes(float[] boxes, int first, int[] order, Bounds bounds, double[] centre, double scale)
-            implements Halves.Work {
+            implements ParallelRange.Work {
         @Override
         public void over(int from, int to) {
             double[] box = new double[6];
@@ -125,13 +125,13 @@ public final class BvhBuilder {
 
         private final transient Range range;
         private final int offset;
-        private final transient Split split;
+        private final transient SahSplitter split;
 
         /** @param offset where the first box's thing is in the order */
         Subtree(Range range, int offset) {
             this.range = range;
             this.offset = offset;
-            split = new Split(things, boxes, offset);
+            split = new SahSplitter(things, boxes, offset);
         }
 
         /** With a stack of its own: a method that calls itself C2 would compile into itself, for a quarter second. */

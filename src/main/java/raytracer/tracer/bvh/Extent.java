@@ -18,11 +18,11 @@ public final class Extent {
     /** Of the things from one place in an order on. */
     static Extent of(int[] order, int from, Bounds bounds, ForkJoinPool pool) {
         Extent all = new Extent();
-        Halves.run(pool, from, order.length, new Inclusion(order, bounds, all));
+        ParallelRange.run(pool, from, order.length, new Inclusion(order, bounds, all));
         return all;
     }
 
-    private record Inclusion(int[] order, Bounds bounds, Extent all) implements Halves.Work {
+    private record Inclusion(int[] order, Bounds bounds, Extent all) implements ParallelRange.Work {
         @Override
         public void over(int from, int to) {
             Extent part = new Extent();

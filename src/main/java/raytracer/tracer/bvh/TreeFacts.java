@@ -5,14 +5,14 @@ package raytracer.tracer.bvh;
  *
  * @param kind   of surfaces, in the plural
  * @param things how many are in the tree
- * @param beside how many are beside it, and tried by every ray
+ * @param oversized how many are beside it, and tried by every ray
  * @param depth  the most nodes on a way from the root to a leaf
  * @param bytes  the memory of its nodes
  */
-public record TreeFacts(String kind, int things, int beside, int nodes, int depth, long bytes) {
+public record TreeFacts(String kind, int things, int oversized, int nodes, int depth, long bytes) {
 
     public static TreeFacts of(String kind, Bvh bvh) {
-        return new TreeFacts(kind, bvh.order().length - bvh.beside(), bvh.beside(),
+        return new TreeFacts(kind, bvh.order().length - bvh.oversized(), bvh.oversized(),
                 bvh.nodes().length / Bvh.NODE_STRIDE, depth(bvh, bvh.root()), 4L * bvh.nodes().length);
     }
 

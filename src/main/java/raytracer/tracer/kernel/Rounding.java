@@ -193,9 +193,9 @@ public final class Rounding {
      *
      * @param reach |x| + |y| + |z| of origin - centre; is overwritten, as is part
      */
-    public static Pass sphereSlide(
+    public static Kernel sphereSlide(
             double[] reach, double[] radius, double[] along, double[] distance, double[] part, double[] out) {
-        return new Pass.InTurn(
+        return new Kernel.InTurn(
                 new PartOfRounding(along, distance, out, part),
                 new OfDistance(reach, distance, part, out),
                 new Squares(reach, radius, distance, part),
@@ -203,7 +203,7 @@ public final class Rounding {
     }
 
     /** The part of rounding errors that a distance has which is the power over a sum. */
-    private record PartOfRounding(double[] along, double[] distance, double[] sum, double[] part) implements Pass {
+    private record PartOfRounding(double[] along, double[] distance, double[] sum, double[] part) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -214,7 +214,7 @@ public final class Rounding {
     }
 
     /** The distance's linear part, in place of the sum. */
-    private record OfDistance(double[] reach, double[] distance, double[] part, double[] sum) implements Pass {
+    private record OfDistance(double[] reach, double[] distance, double[] part, double[] sum) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -224,7 +224,7 @@ public final class Rounding {
     }
 
     /** The errors under the root, in place of the reach. */
-    private record Squares(double[] reach, double[] radius, double[] distance, double[] part) implements Pass {
+    private record Squares(double[] reach, double[] radius, double[] distance, double[] part) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -235,7 +235,7 @@ public final class Rounding {
     }
 
     /** Two errors are under the root together; apart, their roots add up to the root of 2 times that at most. */
-    private record AddRoots(double[] square, double[] along, double[] distance, double[] out) implements Pass {
+    private record AddRoots(double[] square, double[] along, double[] distance, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -247,7 +247,7 @@ public final class Rounding {
 
     /** {@link #point}, of many; and their normals' errors, which the points' cause on a sphere. */
     public record SpherePoint(double[] distance, double[] position, double[] slide, double[] radius, double[] originError,
-            double[] normalError) implements Pass {
+            double[] normalError) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {

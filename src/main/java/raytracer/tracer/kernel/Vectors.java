@@ -9,13 +9,13 @@ public record Vectors(double[] x, double[] y, double[] z) {
 
     /** out = a x b */
     public static void cross(Vectors a, Vectors b, Vectors out, int from, int to) {
-        Pass.run(new Cross(a.y, a.z, b.y, b.z, out.x), from, to);
-        Pass.run(new Cross(a.z, a.x, b.z, b.x, out.y), from, to);
-        Pass.run(new Cross(a.x, a.y, b.x, b.y, out.z), from, to);
+        Kernel.run(new Cross(a.y, a.z, b.y, b.z, out.x), from, to);
+        Kernel.run(new Cross(a.z, a.x, b.z, b.x, out.y), from, to);
+        Kernel.run(new Cross(a.x, a.y, b.x, b.y, out.z), from, to);
     }
 
     /** One component of a cross product, of the other two: out = ay bz - az by. */
-    private record Cross(double[] ay, double[] az, double[] by, double[] bz, double[] out) implements Pass {
+    private record Cross(double[] ay, double[] az, double[] by, double[] bz, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {

@@ -15,7 +15,7 @@ public record Frustum(List<Vector> corners) {
     private static final int SIDES = 4;
 
     /** Limits a face around the eye to what is shown of it. */
-    void limit(Face face) {
+    void limit(CubeFace face) {
         // A polygon of directions, by their depth, across and down; a side of it is what is between two directions.
         List<double[]> polygon = new ArrayList<>();
         for (Vector v : corners) {

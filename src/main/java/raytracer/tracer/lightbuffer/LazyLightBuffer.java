@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 
 /**
  * A {@link LightBuffer} that is built as soon as the walks through the tree that it would have spared have taken as
@@ -32,21 +32,21 @@ public final class LazyLightBuffer {
     private static final int LEFT = 4;
 
     private final Bvh bvh;
-    private final Hulls hulls;
+    private final BoundingShapes hulls;
     private final Viewpoint viewpoint;
     private final AtomicLong walks = new AtomicLong();
     private volatile boolean begun;
     private volatile LightBuffer buffer;
 
-    private LazyLightBuffer(Bvh bvh, Hulls hulls, Viewpoint viewpoint) {
+    private LazyLightBuffer(Bvh bvh, BoundingShapes hulls, Viewpoint viewpoint) {
         this.bvh = bvh;
         this.hulls = hulls;
         this.viewpoint = viewpoint;
     }
 
     /** By lamp, which are told apart as objects. */
-    public static Map<Lamp, LazyLightBuffer> of(List<Viewpoint> viewpoints, Bvh bvh, Hulls hulls) {
-        Map<Lamp, LazyLightBuffer> buffers = new IdentityHashMap<>();
+    public static Map<LightSource, LazyLightBuffer> of(List<Viewpoint> viewpoints, Bvh bvh, BoundingShapes hulls) {
+        Map<LightSource, LazyLightBuffer> buffers = new IdentityHashMap<>();
         for (Viewpoint viewpoint : viewpoints) {
             buffers.put(viewpoint.source(), new LazyLightBuffer(bvh, hulls, viewpoint));
         }

@@ -21,7 +21,7 @@ public final class LightBuffer {
     private final double lampX;
     private final double lampY;
     private final double lampZ;
-    private final Face[] faces;
+    private final CubeFace[] faces;
 
     /** By cell, where its entries begin; they end where the next one's begin. */
     private final int[] start;
@@ -29,7 +29,7 @@ public final class LightBuffer {
     /** Things, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
     private final long[] entries;
 
-    LightBuffer(Bvh bvh, double[] lamp, Face[] faces, int[] start, long[] entries) {
+    LightBuffer(Bvh bvh, double[] lamp, CubeFace[] faces, int[] start, long[] entries) {
         this.bvh = bvh;
         lampX = lamp[0];
         lampY = lamp[1];
@@ -90,7 +90,7 @@ public final class LightBuffer {
         cells.y[ray] = treeY;
         cells.z[ray] = treeZ;
         double x = treeX - lampX, y = treeY - lampY, z = treeZ - lampZ;
-        Face face = faces[directional ? 0 : Face.number(x, y, z)];
+        CubeFace face = faces[directional ? 0 : CubeFace.number(x, y, z)];
         // Rounding keeps the order, and entries' depths have been rounded down.
         cells.depth[ray] = key((float) face.depth(x, y, z));
         find(face.cell(x, y, z), ray, cells);
@@ -103,7 +103,7 @@ public final class LightBuffer {
             cells.y[i] = lampY;
             cells.z[i] = lampZ;
             double x = rays.dx[i], y = rays.dy[i], z = rays.dz[i];
-            Face face = faces[Face.number(x, y, z)];
+            CubeFace face = faces[CubeFace.number(x, y, z)];
             cells.depthPerDistance[i] = face.depth(x, y, z) * bvh.scale();
             find(face.cell(x, y, z), i, cells);
             limit(rays.reach(i), i, cells);

@@ -3,9 +3,9 @@ package raytracer.tracer.lightbuffer;
 import java.util.Arrays;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 
 /**
  * Builds {@link LightBuffer}s: it is noted which things are seen in which cells, and counted how many in each; then
@@ -26,17 +26,17 @@ public final class LightBufferBuilder {
     private static final int LEVELS = 4;
 
     private final Bvh bvh;
-    private final Hulls hulls;
+    private final BoundingShapes hulls;
     /** In the tree's space. */
     private final double[] lamp;
-    private final Face[] faces;
+    private final CubeFace[] faces;
     private final Frustum shown;
     private final int count;
-    private final Hulls.Batch batch = new Hulls.Batch();
-    private final Outline outline = new Outline();
+    private final BoundingShapes.Chunk batch = new BoundingShapes.Chunk();
+    private final ProjectedOutline outline = new ProjectedOutline();
 
     /** By thing and face: the thing, the key of its least depth, in how many cells it is seen there, and in which. */
-    private final Tape sightings = new Tape();
+    private final IntQueue sightings = new IntQueue();
 
     /** By cell: how many things are there; then where the next entry goes. */
     private int[] next;
@@ -44,13 +44,13 @@ public final class LightBufferBuilder {
     private long entries;
     private long[] sorted;
 
-    private LightBufferBuilder(Bvh bvh, Hulls hulls, double[] lamp, Face[] faces, Frustum shown) {
+    private LightBufferBuilder(Bvh bvh, BoundingShapes hulls, double[] lamp, CubeFace[] faces, Frustum shown) {
         this.bvh = bvh;
         this.hulls = hulls;
         this.lamp = lamp;
         this.faces = faces;
         this.shown = shown;
-        count = bvh.order().length - bvh.beside();
+        count = bvh.order().length - bvh.oversized();
     }
 
     /**
@@ -59,13 +59,13 @@ public final class LightBufferBuilder {
      * @param hulls by number in the tree's order
      * @return null if that would be no use
      */
-    static LightBuffer build(Bvh bvh, Hulls hulls, Viewpoint from) {
+    static LightBuffer build(Bvh bvh, BoundingShapes hulls, Viewpoint from) {
         if (bvh.root() < 0) {
             return null;
         }
-        Lamp of = from.source();
+        LightSource of = from.source();
         if (of.directional()) {
-            Face[] faces = {Face.of(of.x(), of.y(), of.z())};
+            CubeFace[] faces = {CubeFace.of(of.x(), of.y(), of.z())};
             return new LightBufferBuilder(bvh, hulls, new double[3], faces, null).build();
         }
         double[] lamp = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
@@ -75,20 +75,20 @@ public final class LightBufferBuilder {
                 return null;
             }
         }
-        return new LightBufferBuilder(bvh, hulls, lamp, Face.around(), from.shown()).build();
+        return new LightBufferBuilder(bvh, hulls, lamp, CubeFace.around(), from.shown()).build();
     }
 
     private LightBuffer build() {
         include(bvh.root(), LEVELS);
         double area = 0;
-        for (Face face : faces) {
+        for (CubeFace face : faces) {
             if (shown != null) {
                 shown.limit(face);
             }
             area += face.area();
         }
         int cells = 0;
-        for (Face face : faces) {
+        for (CubeFace face : faces) {
             cells += face.divide(Math.sqrt(area / count), cells);
         }
         next = new int[cells];
@@ -126,7 +126,7 @@ public final class LightBufferBuilder {
             least[axis] = middle - half;
             greatest[axis] = middle + half;
         }
-        for (Face face : faces) {
+        for (CubeFace face : faces) {
             face.include(least, greatest);
         }
     }
@@ -139,8 +139,8 @@ public final class LightBufferBuilder {
     /** Notes where things are seen. */
     private void look() {
         int end = bvh.order().length;
-        for (int from = bvh.beside(); from < end && !isTooMuch(); from += Hulls.Batch.CAPACITY) {
-            int to = Math.min(from + Hulls.Batch.CAPACITY, end);
+        for (int from = bvh.oversized(); from < end && !isTooMuch(); from += BoundingShapes.Chunk.CAPACITY) {
+            int to = Math.min(from + BoundingShapes.Chunk.CAPACITY, end);
             hulls.get(from, to, batch);
             asSeenFromLamp(batch.a(), to - from);
             asSeenFromLamp(batch.b(), to - from);
@@ -151,13 +151,13 @@ public final class LightBufferBuilder {
 
     /** Brings points from world space to the tree's, with the lamp as the origin. */
     private void asSeenFromLamp(Vectors points, int end) {
-        Pass.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0]), 0, end);
-        Pass.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1]), 0, end);
-        Pass.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2]), 0, end);
+        Kernel.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0]), 0, end);
+        Kernel.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1]), 0, end);
+        Kernel.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2]), 0, end);
     }
 
     /** a = (a - centre) scale - origin */
-    private record ToTreeSpace(double[] a, double centre, double scale, double origin) implements Pass {
+    private record ToTreeSpace(double[] a, double centre, double scale, double origin) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -180,7 +180,7 @@ public final class LightBufferBuilder {
     }
 
     /** Thing k is seen on a face. */
-    private void note(int k, Face face) {
+    private void note(int k, CubeFace face) {
         tried += outline.cellsAround(face);
         if (isTooMuch()) {
             return;

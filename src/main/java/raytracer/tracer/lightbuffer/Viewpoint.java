@@ -1,6 +1,6 @@
 package raytracer.tracer.lightbuffer;
 
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 
 /**
  * From where a light buffer looks.
@@ -8,4 +8,4 @@ import raytracer.tracer.rays.Lamp;
  * @param source a light, or the eye in place of one
  * @param shown  what matters of what is seen; null if all does
  */
-public record Viewpoint(Lamp source, Frustum shown) { }
+public record Viewpoint(LightSource source, Frustum shown) { }

@@ -5,11 +5,11 @@ import java.util.Map;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.bvh.TreeFacts;
-import raytracer.tracer.lightbuffer.Hulls;
+import raytracer.tracer.lightbuffer.BoundingShapes;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.rays.Candidates;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -19,10 +19,10 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
     private final int firstSlot;
     private final int count;
     private final Bvh bvh;
-    private final Map<Lamp, LazyLightBuffer> lightBuffers;
+    private final Map<LightSource, LazyLightBuffer> lightBuffers;
 
     /** @param hulls by number among these */
-    BoundedSurfaces(int firstSlot, Bvh bvh, Hulls hulls, List<Viewpoint> viewpoints) {
+    BoundedSurfaces(int firstSlot, Bvh bvh, BoundingShapes hulls, List<Viewpoint> viewpoints) {
         this.firstSlot = firstSlot;
         this.bvh = bvh;
         count = bvh.order().length;
@@ -39,7 +39,7 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
     abstract double distanceError(Rays rays, int ray, int k, double t);
 
     /** Records the surface with this number among these for a ray, if it meets it. */
-    public final void meet(Rays rays, int ray, int k) {
+    public final void intersect(Rays rays, int ray, int k) {
         double t = distance(rays, ray, k);
         if (t > 0) {
             rays.record(ray, slot(k), t);
@@ -48,7 +48,7 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
 
     @Override
     public final void collect(Rays rays, int ray, Candidates candidates, Workspace workspace) {
-        for (int k = 0; k < bvh.beside(); k++) {
+        for (int k = 0; k < bvh.oversized(); k++) {
             collect(rays, ray, k, candidates);
         }
         BvhWalk walk = workspace.walk;
@@ -94,7 +94,7 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
     }
 
     /** Null if there is none for a lamp, nor will be. */
-    public final LazyLightBuffer lightBuffer(Lamp lamp) {
+    public final LazyLightBuffer lightBuffer(LightSource lamp) {
         return lightBuffers.get(lamp);
     }
 
@@ -111,14 +111,14 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
         return slot >= firstSlot && slot < firstSlot + count;
     }
 
-    /** Computes what {@link #meetAll} needs to know of rays, from one index to another. */
-    public abstract void prepareToMeet(Rays rays, int from, int to, Workspace workspace);
+    /** Computes what {@link #intersectAll} needs to know of rays, from one index to another. */
+    public abstract void prepareToIntersect(Rays rays, int from, int to, Workspace workspace);
 
     /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
     public abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace);
 
     /** Records the surface with this number among these for rays, from one index to another, that meet it. */
-    public abstract void meetAll(Rays rays, int from, int to, int k, Workspace workspace);
+    public abstract void intersectAll(Rays rays, int from, int to, int k, Workspace workspace);
 
     /** Closes every open shadow ray from one index to another that the surface with this number among these blocks. */
     public abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace);

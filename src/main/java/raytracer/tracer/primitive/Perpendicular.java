@@ -1,19 +1,19 @@
 package raytracer.tracer.primitive;
 
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 
 /**
  * The perpendicular from a point c to rays: how far along a ray its origin is from the foot, by how much its square is
  * less than another, and where a ray so meets the sphere around c. Rays that start at the same point come to the same
- * numbers, to the last bit, from half as many ({@link Pass.DotWith} and {@link InsideOfOne}).
+ * numbers, to the last bit, from half as many ({@link Kernel.DotWith} and {@link InsideOfOne}).
  */
 public final class Perpendicular {
 
     private Perpendicular() { }
 
     /** along = (o - c) . d */
-    record Along(Vectors origin, double cx, double cy, double cz, Vectors direction, double[] along) implements Pass {
+    record Along(Vectors origin, double cx, double cy, double cz, Vectors direction, double[] along) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] ox = origin.x(), oy = origin.y(), oz = origin.z();
@@ -26,12 +26,12 @@ public final class Perpendicular {
 
     /** inside = most - |o - c - along d|^2 */
     record Inside(Vectors origin, double cx, double cy, double cz, double most, Vectors direction, double[] along,
-            double[] inside) implements Pass {
+            double[] inside) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] ox = origin.x(), oy = origin.y(), oz = origin.z();
             double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
-            // Too large for C2 to vectorise, see Pass; but three loops instead are hardly faster, and compiled later.
+            // Too large for C2 to vectorise, see Kernel; but three loops instead are hardly faster, and compiled later.
             for (int i = from; i < to; i++) {
                 double ex = ox[i] - cx - along[i] * dx[i];
                 double ey = oy[i] - cy - along[i] * dy[i];
@@ -43,7 +43,7 @@ public final class Perpendicular {
 
     /** inside = most - |(x, y, z) - along d|^2, where (x, y, z) is the o - c of all */
     record InsideOfOne(double x, double y, double z, double most, Vectors direction, double[] along, double[] inside)
-            implements Pass {
+            implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
@@ -63,7 +63,7 @@ public final class Perpendicular {
      * @param power  of that point
      * @param inside with the square of the radius as the most
      */
-    record Distance(double power, double[] along, double[] inside, double[] distance) implements Pass {
+    record Distance(double power, double[] along, double[] inside, double[] distance) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {

@@ -1,6 +1,6 @@
 package raytracer.tracer.primitive;
 
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -30,7 +30,7 @@ public final class PlainSphere {
      *
      * @param doubt whether a ray meets the sphere is certain unless the square of half the chord is nearer to 0
      */
-    record TakeNearer(Rays rays, double doubt, int slot, Workspace workspace) implements Pass {
+    record TakeNearer(Rays rays, double doubt, int slot, Workspace workspace) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
@@ -61,12 +61,12 @@ public final class PlainSphere {
      * @param lampSide 1 if the lamp is outside of it, -1 inside, 0 on it
      */
     record Close(Rays rays, ShadowRays shadows, double radius, int slot, int lampSide, Workspace workspace)
-            implements Pass {
+            implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] square = workspace.square, along = workspace.along, distance = shadows.distance;
             double[] error = shadows.originError;
-            boolean[] open = shadows.open;
+            boolean[] open = shadows.unoccluded;
             int[] hit = rays.hit, doubtful = workspace.doubtful;
             int count = 0;
             for (int i = from; i < to; i++) {

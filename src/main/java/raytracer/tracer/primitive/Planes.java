@@ -3,10 +3,10 @@ package raytracer.tracer.primitive;
 import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.Candidates;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -44,11 +44,11 @@ public final class Planes implements Surfaces {
     }
 
     /** What records for every ray the nearest that it meets among these. */
-    public Pass intersecting(Rays rays, Workspace workspace) {
-        return (from, to) -> findNearest(rays, from, to, workspace);
+    public Kernel intersecting(Rays rays, Workspace workspace) {
+        return (from, to) -> findClosestHits(rays, from, to, workspace);
     }
 
-    private void findNearest(Rays rays, int from, int to, Workspace workspace) {
+    private void findClosestHits(Rays rays, int from, int to, Workspace workspace) {
         for (int k = 0; k < count; k++) {
             measure(rays, k, from, to, workspace);
             record(rays, k, workspace.along, workspace.square, workspace.distance, from, to);
@@ -127,7 +127,7 @@ public final class Planes implements Surfaces {
     }
 
     /** What closes every open shadow ray that one of these blocks between its ends. */
-    public Pass blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
+    public Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
         return (from, to) -> block(rays, shadows, from, to, workspace);
     }
 
@@ -136,13 +136,13 @@ public final class Planes implements Surfaces {
             int side = sideOfLamp(shadows.lamp, k);
             if (side != 0) {
                 offsets(rays, k, workspace.along, from, to);
-                close(rays, shadows.open, k, side, workspace.along, from, to);
+                close(rays, shadows.unoccluded, k, side, workspace.along, from, to);
             }
         }
     }
 
     /** 1 if a lamp is on the side of a plane to which the normal points, -1 if on the other, 0 if in the plane. */
-    private int sideOfLamp(Lamp lamp, int k) {
+    private int sideOfLamp(LightSource lamp, int k) {
         if (lamp.directional()) {
             double cosine = lamp.x() * nx[k] + lamp.y() * ny[k] + lamp.z() * nz[k];
             return Math.abs(cosine) > Rounding.cosine(2 * Rounding.U) ? (int) Math.signum(cosine) : 0;
@@ -175,10 +175,10 @@ public final class Planes implements Surfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int from, int to, Workspace workspace) {
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
             int k = rays.hit[i] - firstSlot;
-            rays.arriveOnPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
+            rays.moveToPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
         }
     }
 }

@@ -5,13 +5,13 @@ import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.PowerOfPoint;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.Hulls;
+import raytracer.tracer.lightbuffer.BoundingShapes;
 import raytracer.tracer.lightbuffer.Viewpoint;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -32,7 +32,7 @@ public final class Spheres extends BoundedSurfaces {
 
     /** @param spheres in the order of the tree's leaves */
     public Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints) {
-        super(firstSlot, bvh, Hulls.of(spheres), viewpoints);
+        super(firstSlot, bvh, BoundingShapes.of(spheres), viewpoints);
         int count = spheres.size();
         data = new double[STRIDE * count];
         for (int k = 0; k < count; k++) {
@@ -105,13 +105,13 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public void prepareToMeet(Rays rays, int from, int to, Workspace workspace) { }
+    public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) { }
 
     @Override
     public void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) { }
 
     @Override
-    public void meetAll(Rays rays, int from, int to, int k, Workspace workspace) {
+    public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
         if (rays.leaveEye) {
             passByFromEye(rays, from, to, k, workspace);
         } else {
@@ -123,7 +123,7 @@ public final class Spheres extends BoundedSurfaces {
         if (!(power > 0)) {
             for (int i = from; i < to; i++) {
                 if (!PlainSphere.isClear(workspace.square[i], r, rays.originError[i])) {
-                    meet(rays, i, k);
+                    intersect(rays, i, k);
                 }
             }
             return;
@@ -131,10 +131,10 @@ public final class Spheres extends BoundedSurfaces {
         // All rays start at the same point outside: what takes long to compute is the same for all.
         double reach = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
         double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, reach, r, reach);
-        Pass.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
-        Pass.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), workspace), from, to);
+        Kernel.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
+        Kernel.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
-            meet(rays, workspace.doubtful[n], k);
+            intersect(rays, workspace.doubtful[n], k);
         }
     }
 
@@ -146,10 +146,10 @@ public final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, workspace);
-        Pass.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, workspace), from, to);
+        Kernel.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             int i = workspace.doubtful[n];
-            shadows.open[i] = !blocks(rays, shadows, i, k, lampSide);
+            shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lampSide);
         }
     }
 
@@ -157,8 +157,8 @@ public final class Spheres extends BoundedSurfaces {
     private void blockInwards(
             Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Workspace workspace) {
         double[] along = workspace.along;
-        boolean[] open = shadows.open;
-        Pass.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
+        boolean[] open = shadows.unoccluded;
+        Kernel.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
                 shadows.direction, along), from, to);
         for (int i = from; i < to; i++) {
             if (along[i] < 0 && open[i]) {
@@ -169,15 +169,15 @@ public final class Spheres extends BoundedSurfaces {
 
     private void passBy(Rays rays, Vectors d, int from, int to, int k, Workspace workspace) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        Pass.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
-        Pass.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square), from, to);
+        Kernel.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
+        Kernel.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square), from, to);
     }
 
     private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
         double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
         double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
-        Pass.run(new Pass.DotWith(x, y, z, rays.direction, workspace.along), from, to);
-        Pass.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
+        Kernel.run(new Kernel.DotWith(x, y, z, rays.direction, workspace.along), from, to);
+        Kernel.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
                 from, to);
     }
 
@@ -248,7 +248,7 @@ public final class Spheres extends BoundedSurfaces {
                 - (lampSide > 0 ? 0 : alongError + Rounding.lampDistance(shadows.lamp.positionError(), shadows.distance[i]));
     }
 
-    private int sideOfLamp(Lamp lamp, int k) {
+    private int sideOfLamp(LightSource lamp, int k) {
         if (lamp.directional()) {
             return 1;
         }
@@ -277,15 +277,15 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int from, int to, Workspace workspace) {
-        if (workspace.sphereArrival == null) {
-            prepareToArrive(rays, workspace);
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
+        if (workspace.sphereHits == null) {
+            prepareToMove(rays, workspace);
         }
-        workspace.sphereArrival.run(from, to);
+        workspace.sphereHits.run(from, to);
     }
 
     /** Apart: C2 compiles a constructor into its caller, however rarely it is called. */
-    private void prepareToArrive(Rays rays, Workspace workspace) {
-        workspace.sphereArrival = new SphereArrival(data, slot(0), rays, workspace);
+    private void prepareToMove(Rays rays, Workspace workspace) {
+        workspace.sphereHits = new SphereHits(data, slot(0), rays, workspace);
     }
 }

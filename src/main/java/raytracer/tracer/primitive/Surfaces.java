@@ -22,5 +22,5 @@ public sealed interface Surfaces permits Planes, BoundedSurfaces {
      * Takes rays, from one index to another, that have met these to where they met them: their origins become those
      * points, with bounds on their errors, and the normals are set.
      */
-    void arrive(Rays rays, int from, int to, Workspace workspace);
+    void moveToHits(Rays rays, int from, int to, Workspace workspace);
 }

@@ -89,12 +89,12 @@ public final class TriangleSieve {
      *
      * @param end at most 32 behind the first
      */
-    int let(Line line, int first, int end) {
-        int let = 0;
+    int mayHit(Line line, int first, int end) {
+        int bits = 0;
         for (int k = first; k < end; k++) {
-            let |= ~clear(line, k) >>> 31 << k - first;
+            bits |= ~clear(line, k) >>> 31 << k - first;
         }
-        return let;
+        return bits;
     }
 
     /** Negative if a line clearly passes edges of triangle k on different sides. */

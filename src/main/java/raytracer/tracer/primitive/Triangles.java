@@ -6,13 +6,13 @@ import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.bvh.Halves;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.bvh.ParallelRange;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.Hulls;
+import raytracer.tracer.lightbuffer.BoundingShapes;
 import raytracer.tracer.lightbuffer.Viewpoint;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -61,12 +61,12 @@ public final class Triangles extends BoundedSurfaces {
 
     /** @param bvh of all triangles of the mesh */
     public Triangles(Mesh mesh, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints, ForkJoinPool pool) {
-        super(firstSlot, bvh, Hulls.of(mesh, bvh.order()), viewpoints);
+        super(firstSlot, bvh, BoundingShapes.of(mesh, bvh.order()), viewpoints);
         this.mesh = mesh;
         order = bvh.order();
         data = new double[Math.multiplyExact(STRIDE, order.length)];
         sieve = new TriangleSieve(mesh, bvh);
-        Halves.run(pool, 0, order.length, (from, to) -> {
+        ParallelRange.run(pool, 0, order.length, (from, to) -> {
             for (int k = from; k < to; k++) {
                 setData(k);
                 sieve.set(k);
@@ -145,11 +145,11 @@ public final class Triangles extends BoundedSurfaces {
 
     @Override
     public int inSight(int first, int end, Workspace workspace) {
-        return sieve.let(workspace.line, first, end);
+        return sieve.mayHit(workspace.line, first, end);
     }
 
     @Override
-    public void prepareToMeet(Rays rays, int from, int to, Workspace workspace) {
+    public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) {
         workspace.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
         prepare(rays, rays.direction, rays.originError, from, to, workspace);
     }
@@ -175,12 +175,12 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public void meetAll(Rays rays, int from, int to, int k, Workspace workspace) {
+    public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
         double clear = passBy(rays.direction, from, to, k, workspace);
         double[] product = workspace.square;
         for (int i = from; i < to; i++) {
             if (!(product[i] < clear)) {
-                meet(rays, i, k);
+                intersect(rays, i, k);
             }
         }
     }
@@ -190,8 +190,8 @@ public final class Triangles extends BoundedSurfaces {
         double clear = passBy(shadows.direction, from, to, k, workspace);
         double[] product = workspace.square;
         for (int i = from; i < to; i++) {
-            if (shadows.open[i] && !(product[i] < clear)) {
-                shadows.open[i] = !blocks(rays, shadows, i, k);
+            if (shadows.unoccluded[i] && !(product[i] < clear)) {
+                shadows.unoccluded[i] = !blocks(rays, shadows, i, k);
             }
         }
     }
@@ -209,7 +209,7 @@ public final class Triangles extends BoundedSurfaces {
         sides(k, 0, 1, d, ab, from, to, workspace);
         sides(k, 1, 2, d, bc, from, to, workspace);
         sides(k, 2, 0, d, ca, from, to, workspace);
-        Pass.run(new LeastProduct(ab, bc, ca, workspace.square), from, to);
+        Kernel.run(new LeastProduct(ab, bc, ca, workspace.square), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
         double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
                 + workspace.farthest;
@@ -229,13 +229,13 @@ public final class Triangles extends BoundedSurfaces {
         double bx = corner(k, b, 0), by = corner(k, b, 1), bz = corner(k, b, 2);
         double ex = bx - ax, ey = by - ay, ez = bz - az;
         double sx = ax + bx, sy = ay + by, sz = az + bz;
-        // In one loop it would be too much for C2 to vectorise, see Pass.
-        Pass.run(new Pass.DotWith(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, d, out), from, to);
-        Pass.run(new Pass.AddDotWith(-2 * ex, -2 * ey, -2 * ez, workspace.moment, out), from, to);
+        // In one loop it would be too much for C2 to vectorise, see Kernel.
+        Kernel.run(new Kernel.DotWith(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, d, out), from, to);
+        Kernel.run(new Kernel.AddDotWith(-2 * ex, -2 * ey, -2 * ez, workspace.moment, out), from, to);
     }
 
     /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */
-    private record LeastProduct(double[] a, double[] b, double[] c, double[] out) implements Pass {
+    private record LeastProduct(double[] a, double[] b, double[] c, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -354,7 +354,7 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     /** Whether the plane of a triangle has the lamp on the other side than the point with this offset. */
-    private boolean isBeforeLamp(Lamp lamp, int k, double offset) {
+    private boolean isBeforeLamp(LightSource lamp, int k, double offset) {
         if (lamp.directional()) {
             return true;
         }
@@ -370,10 +370,10 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public void arrive(Rays rays, int from, int to, Workspace workspace) {
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
             int k = number(rays.hit[i]);
-            rays.arriveOnPlane(i, products(rays, i, k, rays.distance[i]), data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2]);
+            rays.moveToPlane(i, products(rays, i, k, rays.distance[i]), data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2]);
         }
     }
 }

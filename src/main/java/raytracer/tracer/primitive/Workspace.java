@@ -12,7 +12,7 @@ public final class Workspace {
     final TriangleSieve.Line line = new TriangleSieve.Line();
 
     /** Made when the first ray meets a sphere. */
-    SphereArrival sphereArrival;
+    SphereHits sphereHits;
 
     /** Rays that a pass over all of them could not decide. */
     final int[] doubtful = new int[Batch.CAPACITY];

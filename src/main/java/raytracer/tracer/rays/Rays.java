@@ -2,7 +2,7 @@ package raytracer.tracer.rays;
 
 import java.util.Arrays;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
 
@@ -78,11 +78,11 @@ public final class Rays {
     private final int[] selectedInts = new int[Batch.CAPACITY];
 
     /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
-    private final Pass mirroring = new Pass.InTurn(
-            new Pass.Dot(direction, normal, selected),
-            Pass.addProduct(direction, -2, selected, normal, direction),
-            new Pass.Length(direction, selected),
-            new Pass.DivideByLength(direction, selected));
+    private final Kernel mirroring = new Kernel.InTurn(
+            new Kernel.Dot(direction, normal, selected),
+            Kernel.addProduct(direction, -2, selected, normal, direction),
+            new Kernel.Length(direction, selected),
+            new Kernel.DivideByLength(direction, selected));
 
     public Rays() {
         Arrays.fill(closeDistance, -1);
@@ -94,14 +94,14 @@ public final class Rays {
      * @param aiming  that makes rays leave the eye through points in place of their normals
      * @param through that has all these points, or null
      */
-    public void start(Pass aiming, Window through, Samples samples, int from, int number) {
+    public void start(Kernel aiming, Window through, Samples samples, int from, int number) {
         count = number;
         window = through;
         leaveEye = true;
         areInOrder = true;
         System.arraycopy(samples.x, from, nx, 0, count);
         System.arraycopy(samples.y, from, ny, 0, count);
-        Pass.run(aiming, 0, count);
+        Kernel.run(aiming, 0, count);
         Arrays.fill(source, 0, count, NONE);
         for (int i = 0; i < count; i++) {
             pixel[i] = from + i;
@@ -117,7 +117,7 @@ public final class Rays {
     /** Forgets what was met. */
     public void clearHits() {
         Arrays.fill(hit, 0, count, NONE);
-        Pass.run(new Pass.Fill(distance, Double.POSITIVE_INFINITY), 0, count);
+        Kernel.run(new Kernel.Fill(distance, Double.POSITIVE_INFINITY), 0, count);
     }
 
     /** The distance beyond which no hit can be, or tie with, the nearest of a ray. */
@@ -154,7 +154,7 @@ public final class Rays {
      *
      * @param products as for {@link Rounding#planeOffset}, seen from the old origin
      */
-    public void arriveOnPlane(int ray, double products, double normalX, double normalY, double normalZ) {
+    public void moveToPlane(int ray, double products, double normalX, double normalY, double normalZ) {
         double t = distance[ray];
         double cosine = dx[ray] * normalX + dy[ray] * normalY + dz[ray] * normalZ;
         ox[ray] += t * dx[ray];
@@ -170,7 +170,7 @@ public final class Rays {
 
     /** Turns all rays, which have arrived, into their mirror images. */
     public void mirror() {
-        Pass.run(mirroring, 0, count);
+        Kernel.run(mirroring, 0, count);
         for (int i = 0; i < count; i++) {
             directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
             // What slides along the old way slides along the new one, and twice as far as the old one goes down.

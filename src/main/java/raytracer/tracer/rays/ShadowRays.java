@@ -2,7 +2,7 @@ package raytracer.tracer.rays;
 
 import java.util.Arrays;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 
 /**
@@ -22,35 +22,35 @@ public final class ShadowRays {
     public final double[] originError = new double[Batch.CAPACITY];
 
     /** Whether it matters that the light is seen, and no surface found so far is in its way. */
-    public final boolean[] open = new boolean[Batch.CAPACITY];
+    public final boolean[] unoccluded = new boolean[Batch.CAPACITY];
 
     // What the surface would return of the light, were it not blocked: the cosine at the surface, and the highlight.
     public final double[] lambert = new double[Batch.CAPACITY];
     public final double[] highlight = new double[Batch.CAPACITY];
 
     /** The light that the rays go to; and its position, as often as there are rays. */
-    public Lamp lamp;
+    public LightSource lamp;
     private final Vectors lamps = new Vectors();
 
-    private final Pass aiming;
-    private final Pass addErrors;
+    private final Kernel aiming;
+    private final Kernel addErrors;
 
     /** @param rays that will have arrived where these start */
     public ShadowRays(Rays rays) {
-        aiming = new Pass.InTurn(
-                Pass.subtract(lamps, rays.origin, direction),
-                new Pass.Length(direction, distance),
-                new Pass.DivideByLength(direction, distance));
-        addErrors = new Pass.Add(rays.originError, rays.slide, originError);
+        aiming = new Kernel.InTurn(
+                Kernel.subtract(lamps, rays.origin, direction),
+                new Kernel.Length(direction, distance),
+                new Kernel.DivideByLength(direction, distance));
+        addErrors = new Kernel.Add(rays.originError, rays.slide, originError);
     }
 
     /** Sets out from where rays, from one index to another, have arrived. */
     public void start(int from, int end) {
-        Pass.run(addErrors, from, end);
+        Kernel.run(addErrors, from, end);
     }
 
     /** Sets out to a lamp from where rays, from one index to another, have arrived. */
-    public void aim(Lamp to, int from, int end) {
+    public void aim(LightSource to, int from, int end) {
         if (lamp != to) {
             lamp = to;
             Arrays.fill(lamps.x(), to.x());
@@ -64,6 +64,6 @@ public final class ShadowRays {
             Arrays.fill(distance, from, end, Double.POSITIVE_INFINITY);
             return;
         }
-        Pass.run(aiming, from, end);
+        Kernel.run(aiming, from, end);
     }
 }

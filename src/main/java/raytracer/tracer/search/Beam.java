@@ -2,9 +2,9 @@ package raytracer.tracer.search;
 
 import java.util.Arrays;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 
 /**
@@ -64,7 +64,7 @@ public final class Beam {
      * Takes in the ways from where rays have arrived to a lamp. From a lamp at a point they are taken backwards, as
      * the beam that starts as a point is narrower; distances are then in parts of the way.
      */
-    void take(Rays rays, Lamp lamp, int from, int to) {
+    void take(Rays rays, LightSource lamp, int from, int to) {
         span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
         if (lamp.directional()) {
             point(lamp.x(), lamp.y(), lamp.z(), leastDirection, greatestDirection);
@@ -88,13 +88,13 @@ public final class Beam {
     }
 
     private static void span(double[] x, double[] y, double[] z, int from, int to, double[] least, double[] greatest) {
-        Pass.run(new Span(x, least, greatest, 0), from, to);
-        Pass.run(new Span(y, least, greatest, 1), from, to);
-        Pass.run(new Span(z, least, greatest, 2), from, to);
+        Kernel.run(new Span(x, least, greatest, 0), from, to);
+        Kernel.run(new Span(y, least, greatest, 1), from, to);
+        Kernel.run(new Span(z, least, greatest, 2), from, to);
     }
 
     /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray meets nothing. */
-    private record Span(double[] values, double[] least, double[] greatest, int axis) implements Pass {
+    private record Span(double[] values, double[] least, double[] greatest, int axis) implements Kernel {
         @Override
         public void run(int from, int to) {
             double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;

@@ -48,7 +48,7 @@ public class BvhTest {
         if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
         }
         BitSet things = new BitSet();
-        for (int k = 0; k < bvh.beside(); k++) {
+        for (int k = 0; k < bvh.oversized(); k++) {
             things.set(bvh.order()[k]);
         }
         while (walk.nextLeaf(limit)) {
@@ -208,7 +208,7 @@ public class BvhTest {
         double[][] boxes = cubes(1000, 2, .01, 0, 7);
         boxes[500] = new double[] {-1e4, -2e4, -1e4, 1e4, -1, 1e4};
         Bvh bvh = build(boxes, 2);
-        assertEquals(1, bvh.beside());
+        assertEquals(1, bvh.oversized());
         assertEquals(500, bvh.order()[0]);
         assertTrue(bvh.scale() >= .25, "the tree is as large as the rest");
     }
@@ -222,7 +222,7 @@ public class BvhTest {
         boxes[1] = new double[] {1, 1, 1, 1, 1, 1};
         boxes[70_000] = new double[] {-part, 0, 0, part, .1, .1};
         Bvh bvh = build(boxes, 2);
-        assertEquals(beside, bvh.beside());
-        assertEquals(beside, IntStream.range(0, bvh.beside()).filter(k -> bvh.order()[k] == 70_000).count());
+        assertEquals(beside, bvh.oversized());
+        assertEquals(beside, IntStream.range(0, bvh.oversized()).filter(k -> bvh.order()[k] == 70_000).count());
     }
 }

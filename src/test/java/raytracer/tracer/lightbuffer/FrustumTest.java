@@ -19,7 +19,7 @@ class FrustumTest {
 
     /** By face: its part with cells, of things all around the eye. */
     private static double[] areas(Vector... corners) {
-        return Arrays.stream(Face.around()).mapToDouble(face -> {
+        return Arrays.stream(CubeFace.around()).mapToDouble(face -> {
             face.include(EVERYWHERE.clone(), new double[] {9, 9, 9});
             new Frustum(Arrays.asList(corners)).limit(face);
             return face.area();
@@ -35,7 +35,7 @@ class FrustumTest {
 
     @Test
     void isNothingWhereThereIsNothingToSee() {
-        Face face = Face.around()[5];
+        CubeFace face = CubeFace.around()[5];
         // Things are on the right, and the picture shows what is on the left.
         face.include(new double[] {.5, -1, -1.1}, new double[] {.9, 1, -1});
         assertTrue(face.overlaps(-1, 1, -1, 1));

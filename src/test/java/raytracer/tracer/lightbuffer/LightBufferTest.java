@@ -28,10 +28,10 @@ import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.primitive.Triangles;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.search.BlockerSearch;
+import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.SearchWorkspace;
 
 @DisplayName("A light buffer")
@@ -52,8 +52,8 @@ public class LightBufferTest {
         return new Vector(a.x() + t * b.x(), a.y() + t * b.y(), a.z() + t * b.z());
     }
 
-    private static Lamp lamp(boolean directional, Vector v) {
-        return new Lamp(directional, v.x(), v.y(), v.z(), Colour.BLACK);
+    private static LightSource lamp(boolean directional, Vector v) {
+        return new LightSource(directional, v.x(), v.y(), v.z(), Colour.BLACK);
     }
 
     public static Mesh triangles(Random random, Vector middle, double size) {
@@ -112,8 +112,8 @@ public class LightBufferTest {
     }
 
     /** Triangles that are thick, so that what is outside of their edges counts as much as a sphere does. */
-    private static Hulls rounded(Mesh mesh, Bvh bvh, double radius) {
-        Hulls flat = Hulls.of(mesh, bvh.order());
+    private static BoundingShapes rounded(Mesh mesh, Bvh bvh, double radius) {
+        BoundingShapes flat = BoundingShapes.of(mesh, bvh.order());
         return (from, to, hulls) -> {
             flat.get(from, to, hulls);
             Arrays.fill(hulls.radius(), 0, to - from, radius);
@@ -121,16 +121,16 @@ public class LightBufferTest {
     }
 
     /** Points behind things, as the lamp sees them, are looked up; returns how many entries were to be tried. */
-    private static long assertHasAllInTheWay(Bvh bvh, Hulls hulls, Lamp lamp, Random random) {
+    private static long assertHasAllInTheWay(Bvh bvh, BoundingShapes hulls, LightSource lamp, Random random) {
         LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, new Viewpoint(lamp, null));
         assertNotNull(buffer);
         LightBuffer.Cells cells = new LightBuffer.Cells();
         Rays rays = new Rays();
         Vector light = new Vector(lamp.x(), lamp.y(), lamp.z());
-        Hulls.Batch hull = new Hulls.Batch();
+        BoundingShapes.Chunk hull = new BoundingShapes.Chunk();
         long entries = 0;
         for (int i = 0; i < 20_000; i++) {
-            int k = bvh.beside() + random.nextInt(COUNT - bvh.beside());
+            int k = bvh.oversized() + random.nextInt(COUNT - bvh.oversized());
             hulls.get(k, k + 1, hull);
             Vector q = pointOf(hull, random);
             Vector way = lamp.directional() ? light.times(-1) : q.minus(light);
@@ -153,7 +153,7 @@ public class LightBufferTest {
     }
 
     /** A point of a hull: inside, or often on an edge or in a corner; on or in a sphere around that. */
-    private static Vector pointOf(Hulls.Batch hull, Random random) {
+    private static Vector pointOf(BoundingShapes.Chunk hull, Random random) {
         double u = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextDouble();
         double v = u == 1 ? 0 : random.nextInt(3) == 0 ? 0 : (1 - u) * random.nextDouble();
         Vector a = first(hull.a());
@@ -178,10 +178,10 @@ public class LightBufferTest {
             Bvh flat = tree(mesh), thick = tree(mesh, size / 8), curved = tree(balls);
             for (int kind = 0; kind < 3; kind++) {
                 Vector towards = kind == 2 ? within(random, 1).unit() : plus(middle, away, within(random, 1).unit());
-                Lamp lamp = lamp(kind == 2, towards);
-                long tried = assertHasAllInTheWay(flat, Hulls.of(mesh, flat.order()), lamp, random)
+                LightSource lamp = lamp(kind == 2, towards);
+                long tried = assertHasAllInTheWay(flat, BoundingShapes.of(mesh, flat.order()), lamp, random)
                         + assertHasAllInTheWay(thick, rounded(mesh, thick, size / 8), lamp, random)
-                        + assertHasAllInTheWay(curved, Hulls.of(inOrder(curved, balls)), lamp, random);
+                        + assertHasAllInTheWay(curved, BoundingShapes.of(inOrder(curved, balls)), lamp, random);
                 assertTrue(tried < 3 * COUNT / 10, tried + " of " + 3 * COUNT + " things tried");
             }
         }
@@ -194,7 +194,7 @@ public class LightBufferTest {
         Bvh bvh = tree(mesh);
         Vector a = mesh.corner(7, 0), b = mesh.corner(7, 1), c = mesh.corner(7, 2);
         for (Vector on : List.of(a, plus(a, .5, b.minus(a)), plus(plus(a, .25, b.minus(a)), .25, c.minus(a)))) {
-            assertHasAllInTheWay(bvh, Hulls.of(mesh, bvh.order()), lamp(false, on), random);
+            assertHasAllInTheWay(bvh, BoundingShapes.of(mesh, bvh.order()), lamp(false, on), random);
         }
     }
 
@@ -206,7 +206,7 @@ public class LightBufferTest {
         for (Vector axis : List.of(new Vector(1, 0, 0), new Vector(-1, 0, 0), new Vector(0, -1, 0),
                 new Vector(0, 0, 1), new Vector(1, 1, 0).unit(), new Vector(1, -1, 1).unit())) {
             for (boolean directional : new boolean[] {false, true}) {
-                assertHasAllInTheWay(bvh, Hulls.of(inOrder(bvh, spheres)),
+                assertHasAllInTheWay(bvh, BoundingShapes.of(inOrder(bvh, spheres)),
                         lamp(directional, directional ? axis : axis.times(4)), random);
             }
         }
@@ -217,10 +217,10 @@ public class LightBufferTest {
         Random random = new Random(4);
         List<Shape.Sphere> large = spheres(random, ORIGIN, .7);
         Bvh bvh = tree(large);
-        assertNull(LightBufferBuilder.build(bvh, Hulls.of(inOrder(bvh, large)), new Viewpoint(lamp(false, new Vector(0, 2, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, BoundingShapes.of(inOrder(bvh, large)), new Viewpoint(lamp(false, new Vector(0, 2, 0)), null)));
         List<Shape.Sphere> small = spheres(random, ORIGIN, .05);
         Bvh other = tree(small);
-        Hulls hulls = Hulls.of(inOrder(other, small));
+        BoundingShapes hulls = BoundingShapes.of(inOrder(other, small));
         assertNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3e6, 0)), null)));
         assertNotNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
     }
@@ -229,8 +229,8 @@ public class LightBufferTest {
     void isNotBuiltOfASingleLeaf() {
         List<Shape.Sphere> one = List.of(new Shape.Sphere(ORIGIN, 1, Material.DEFAULT));
         Bvh bvh = BvhBuilder.build(1, Spheres.bounds(one), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
-        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
-        assertNull(LightBufferBuilder.build(bvh, Hulls.of(one), new Viewpoint(lamp(true, new Vector(0, 1, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, BoundingShapes.of(one), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, BoundingShapes.of(one), new Viewpoint(lamp(true, new Vector(0, 1, 0)), null)));
     }
 
     @Test
@@ -238,7 +238,7 @@ public class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(new Random(7), ORIGIN, .05);
         Bvh bvh = tree(spheres);
         LightBuffer buffer = LightBufferBuilder.build(
-                bvh, Hulls.of(inOrder(bvh, spheres)), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
+                bvh, BoundingShapes.of(inOrder(bvh, spheres)), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
         Rays rays = new Rays();
         rays.oy[1] = -3e6;
         assertTrue(buffer.reaches(rays, 0, 1));
@@ -249,8 +249,8 @@ public class LightBufferTest {
     void isBuiltOnceWalksHaveTakenAsLong() {
         List<Shape.Sphere> spheres = spheres(new Random(5), ORIGIN, .05);
         Bvh bvh = tree(spheres);
-        Lamp lamp = lamp(false, new Vector(0, 3, 0));
-        LazyLightBuffer lazy = LazyLightBuffer.of(List.of(new Viewpoint(lamp, null)), bvh, Hulls.of(inOrder(bvh, spheres))).get(lamp);
+        LightSource lamp = lamp(false, new Vector(0, 3, 0));
+        LazyLightBuffer lazy = LazyLightBuffer.of(List.of(new Viewpoint(lamp, null)), bvh, BoundingShapes.of(inOrder(bvh, spheres))).get(lamp);
         // How many more it takes than there are things depends on what this process has built before.
         for (int walks = 10; walks < COUNT; walks += 10) {
             assertNull(lazy.insteadOfWalks(10));
@@ -279,7 +279,7 @@ public class LightBufferTest {
     @CsvSource({"false", "true"})
     void blocksTheSameRaysAsTheTree(boolean directional) {
         Random random = new Random(6);
-        Lamp lamp = lamp(directional, directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3));
+        LightSource lamp = lamp(directional, directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3));
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
         Mesh mesh = triangles(random, ORIGIN, .1);
         List<Surfaces> with = surfaces(spheres, mesh, List.of(new Viewpoint(lamp, null))), without = surfaces(spheres, mesh, List.of());
@@ -290,8 +290,8 @@ public class LightBufferTest {
             Rays rays = start(random, with);
             ShadowRays a = blocked(rays, with.get(tile % 2), lamp, space);
             ShadowRays b = blocked(rays, without.get(tile % 2), lamp, space);
-            assertTrue(Arrays.equals(a.open, b.open), "tile " + tile);
-            blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
+            assertTrue(Arrays.equals(a.unoccluded, b.unoccluded), "tile " + tile);
+            blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.unoccluded[i] ? 0 : 1).sum();
         }
         assertTrue(blocked > 50_000 && blocked < 2900 * Batch.CAPACITY, blocked + " blocked");
     }
@@ -302,7 +302,7 @@ public class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
         Bvh bvh = tree(spheres);
         Vector light = new Vector(0, 3, 0);
-        Lamp lamp = lamp(false, light);
+        LightSource lamp = lamp(false, light);
         Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of(new Viewpoint(lamp, null)));
         Spheres without = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of());
         SearchWorkspace space = new SearchWorkspace();
@@ -318,8 +318,8 @@ public class LightBufferTest {
             Rays far = around(plus(light, 3e6, within(random, 1).minus(light)), 1e5, random, List.of(with));
             ShadowRays a = blocked(far, with, lamp, space);
             ShadowRays b = blocked(far, without, lamp, new SearchWorkspace());
-            assertTrue(Arrays.equals(a.open, b.open), "tile " + tile);
-            blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.open[i] ? 0 : 1).sum();
+            assertTrue(Arrays.equals(a.unoccluded, b.unoccluded), "tile " + tile);
+            blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.unoccluded[i] ? 0 : 1).sum();
         }
         assertTrue(blocked > 1000, blocked + " blocked");
     }
@@ -348,12 +348,12 @@ public class LightBufferTest {
         return rays;
     }
 
-    private static ShadowRays blocked(Rays rays, Surfaces surfaces, Lamp lamp, SearchWorkspace space) {
+    private static ShadowRays blocked(Rays rays, Surfaces surfaces, LightSource lamp, SearchWorkspace space) {
         ShadowRays shadows = new ShadowRays(rays);
         shadows.start(0, Batch.CAPACITY);
         shadows.aim(lamp, 0, Batch.CAPACITY);
-        Arrays.fill(shadows.open, true);
-        BlockerSearch.among(surfaces, rays, shadows, space).run(0, Batch.CAPACITY);
+        Arrays.fill(shadows.unoccluded, true);
+        AnyHit.among(surfaces, rays, shadows, space).run(0, Batch.CAPACITY);
         return shadows;
     }
 }

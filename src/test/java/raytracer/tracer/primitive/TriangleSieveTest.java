@@ -47,7 +47,7 @@ class TriangleSieveTest {
     }
 
     private static boolean lets(TriangleSieve sieve, TriangleSieve.Line line, int k) {
-        return sieve.let(line, k, k + 1) == 1;
+        return sieve.mayHit(line, k, k + 1) == 1;
     }
 
     private static double between(double a, double b, double c, double u, double v) {
@@ -127,7 +127,7 @@ class TriangleSieveTest {
             Vector d = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
             line.take(0, 0, 0, 0, d.x(), d.y(), d.z(), 0, Rounding.EYE_DIRECTION);
             int first = random.nextInt(COUNT - Bvh.LEAF_SIZE), end = first + random.nextInt(Bvh.LEAF_SIZE + 1);
-            int let = sieve.let(line, first, end);
+            int let = sieve.mayHit(line, first, end);
             for (int k = first; k < end; k++) {
                 assertEquals(lets(sieve, line, k), (let >> k - first & 1) == 1, "ray " + i + " at triangle " + k);
             }

@@ -13,7 +13,7 @@ import raytracer.scene.Colour;
 import raytracer.scene.Vector;
 import raytracer.tracer.bvh.BvhTest;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 
 @DisplayName("A beam")
@@ -47,7 +47,7 @@ class BeamTest {
         for (int i = 0; i < beam.count(); i++) {
             things.set(bvh.order()[beam.thing(i)]);
         }
-        for (int k = 0; k < bvh.beside(); k++) {
+        for (int k = 0; k < bvh.oversized(); k++) {
             things.set(bvh.order()[k]);
         }
         return things;
@@ -100,8 +100,8 @@ class BeamTest {
             Vector axis = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
             Vector place = new Vector(offset + 2 * axis.x(), offset + 2 * axis.y(), offset + 2 * axis.z());
             boolean directional = tile % 2 == 0;
-            Lamp lamp = directional ? new Lamp(true, -axis.x(), -axis.y(), -axis.z(), Colour.BLACK)
-                    : new Lamp(false, place.x(), place.y(), place.z(), Colour.BLACK);
+            LightSource lamp = directional ? new LightSource(true, -axis.x(), -axis.y(), -axis.z(), Colour.BLACK)
+                    : new LightSource(false, place.x(), place.y(), place.z(), Colour.BLACK);
             for (int i = 0; i < RAYS; i++) {
                 o[0][i] = offset + (directional ? 2 * axis.x() : 0) + apart * random.nextDouble();
                 o[1][i] = offset + (directional ? 2 * axis.y() : 0) + apart * random.nextDouble();

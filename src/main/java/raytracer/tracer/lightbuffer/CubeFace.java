@@ -5,7 +5,7 @@ package raytracer.tracer.lightbuffer;
  * its coordinates by its depth, which is the coordinate along the face's axis. A directional light has one face, whose
  * places stand for parallels.
  */
-public final class Face {
+public final class CubeFace {
 
     /** Which coordinate is the depth; u and v are of the next and of the one after. */
     private final int axis;
@@ -32,7 +32,7 @@ public final class Face {
     private int rows;
     private int firstCell;
 
-    private Face(int axis, double sign, boolean parallel, double slopeU, double slopeV) {
+    private CubeFace(int axis, double sign, boolean parallel, double slopeU, double slopeV) {
         this.axis = axis;
         axisU = (axis + 1) % 3;
         axisV = (axis + 2) % 3;
@@ -43,19 +43,19 @@ public final class Face {
     }
 
     /** The faces around a lamp, in the order of {@link #number}. */
-    static Face[] around() {
-        Face[] faces = new Face[6];
+    static CubeFace[] around() {
+        CubeFace[] faces = new CubeFace[6];
         for (int number = 0; number < 6; number++) {
-            faces[number] = new Face(number / 2, number % 2 == 0 ? 1 : -1, false, 0, 0);
+            faces[number] = new CubeFace(number / 2, number % 2 == 0 ? 1 : -1, false, 0, 0);
         }
         return faces;
     }
 
     /** The face of a directional light, by the direction towards it: depths fall that way. */
-    static Face of(double dx, double dy, double dz) {
+    static CubeFace of(double dx, double dy, double dz) {
         double[] d = {dx, dy, dz};
         int axis = number(dx, dy, dz) / 2;
-        return new Face(axis, -Math.signum(d[axis]), true, d[(axis + 1) % 3] / d[axis], d[(axis + 2) % 3] / d[axis]);
+        return new CubeFace(axis, -Math.signum(d[axis]), true, d[(axis + 1) % 3] / d[axis], d[(axis + 2) % 3] / d[axis]);
     }
 
     /** On which face around the origin a point is seen: twice its axis, and 1 more on the negative side. */

@@ -4,7 +4,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.RecursiveAction;
 
 /** The same work for many numbers, halved until each thread of a pool has its part. */
-public final class Halves extends RecursiveAction {
+public final class ParallelRange extends RecursiveAction {
 
     private static final long serialVersionUID = 1;
 
@@ -20,7 +20,7 @@ public final class Halves extends RecursiveAction {
         void over(int from, int to);
     }
 
-    private Halves(Work work, int from, int to) {
+    private ParallelRange(Work work, int from, int to) {
         this.work = work;
         this.from = from;
         this.to = to;
@@ -31,7 +31,7 @@ public final class Halves extends RecursiveAction {
         if (to - from < PARALLEL_SIZE) {
             work.over(from, to);
         } else {
-            pool.invoke(new Halves(work, from, to));
+            pool.invoke(new ParallelRange(work, from, to));
         }
     }
 
@@ -41,7 +41,7 @@ public final class Halves extends RecursiveAction {
             work.over(from, to);
         } else {
             int middle = (from + to) >>> 1;
-            invokeAll(new Halves(work, from, middle), new Halves(work, middle, to));
+            invokeAll(new ParallelRange(work, from, middle), new ParallelRange(work, middle, to));
         }
     }
 }

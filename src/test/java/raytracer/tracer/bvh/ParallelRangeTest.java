@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 @DisplayName("Work in halves")
-class HalvesTest {
+class ParallelRangeTest {
 
     @ParameterizedTest(name = "is done once for each of {0} numbers on {1} threads")
     @CsvSource({"0, 1", "1, 2", "32767, 2", "32768, 2", "100003, 1", "100003, 3"})
@@ -17,7 +17,7 @@ class HalvesTest {
         int first = 5;
         AtomicIntegerArray done = new AtomicIntegerArray(first + count);
         ForkJoinPool pool = new ForkJoinPool(threads);
-        Halves.run(pool, first, first + count, (from, to) -> {
+        ParallelRange.run(pool, first, first + count, (from, to) -> {
             for (int i = from; i < to; i++) {
                 done.incrementAndGet(i);
             }

@@ -9,4 +9,4 @@ import raytracer.scene.Material;
  * @param look     which look it has; surfaces of one look are of one kind and one material
  * @param material by look
  */
-public record SlotTable(int[] declared, int[] look, Material[] material) { }
+public record SurfaceTable(int[] declared, int[] look, Material[] material) { }

@@ -8,29 +8,29 @@ import java.util.Arrays;
  * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of
  * fewer on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
  *
- * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Pass, int, int)}, so that each kind
+ * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Kernel, int, int)}, so that each kind
  * is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times over,
  * and be busy for seconds.
  */
-public interface Pass {
+public interface Kernel {
 
     void run(int from, int to);
 
     /** Runs a pass without HotSpot's knowing of what kind it is, even in a method that has just made it. */
-    static void run(Pass pass, int from, int to) {
+    static void run(Kernel pass, int from, int to) {
         unknown(pass, 2).run(from, to);
     }
 
     /** Into itself, HotSpot compiles a method once (-XX:MaxRecursiveInlineLevel), so the last of three calls stays. */
-    private static Pass unknown(Pass pass, int deeper) {
+    private static Kernel unknown(Kernel pass, int deeper) {
         return deeper > 0 ? unknown(pass, deeper - 1) : pass;
     }
 
     /** One pass after the other. */
-    record InTurn(Pass... passes) implements Pass {
+    record InTurn(Kernel... passes) implements Kernel {
         @Override
         public void run(int from, int to) {
-            for (Pass pass : passes) {
+            for (Kernel pass : passes) {
                 // Not by way of run: here HotSpot has seen passes of any kind.
                 pass.run(from, to);
             }
@@ -38,7 +38,7 @@ public interface Pass {
     }
 
     /** a = value */
-    record Fill(double[] a, double value) implements Pass {
+    record Fill(double[] a, double value) implements Kernel {
         @Override
         public void run(int from, int to) {
             Arrays.fill(a, from, to, value);
@@ -46,13 +46,13 @@ public interface Pass {
     }
 
     /** out = a - b */
-    static Pass subtract(Vectors a, Vectors b, Vectors out) {
+    static Kernel subtract(Vectors a, Vectors b, Vectors out) {
         return new InTurn(new Subtract(a.x(), b.x(), out.x()), new Subtract(a.y(), b.y(), out.y()),
                 new Subtract(a.z(), b.z(), out.z()));
     }
 
     /** out = a - b */
-    record Subtract(double[] a, double[] b, double[] out) implements Pass {
+    record Subtract(double[] a, double[] b, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -62,7 +62,7 @@ public interface Pass {
     }
 
     /** out = a + b */
-    record Add(double[] a, double[] b, double[] out) implements Pass {
+    record Add(double[] a, double[] b, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -72,13 +72,13 @@ public interface Pass {
     }
 
     /** out = a + factor t b */
-    static Pass addProduct(Vectors a, double factor, double[] t, Vectors b, Vectors out) {
+    static Kernel addProduct(Vectors a, double factor, double[] t, Vectors b, Vectors out) {
         return new InTurn(new AddProduct(a.x(), factor, t, b.x(), out.x()),
                 new AddProduct(a.y(), factor, t, b.y(), out.y()), new AddProduct(a.z(), factor, t, b.z(), out.z()));
     }
 
     /** out = a + factor t b */
-    record AddProduct(double[] a, double factor, double[] t, double[] b, double[] out) implements Pass {
+    record AddProduct(double[] a, double factor, double[] t, double[] b, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -88,7 +88,7 @@ public interface Pass {
     }
 
     /** out = a . b */
-    record Dot(Vectors a, Vectors b, double[] out) implements Pass {
+    record Dot(Vectors a, Vectors b, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] ax = a.x(), ay = a.y(), az = a.z(), bx = b.x(), by = b.y(), bz = b.z();
@@ -99,7 +99,7 @@ public interface Pass {
     }
 
     /** out = a . v, where a is the same for all. */
-    record DotWith(double ax, double ay, double az, Vectors v, double[] out) implements Pass {
+    record DotWith(double ax, double ay, double az, Vectors v, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] x = v.x(), y = v.y(), z = v.z();
@@ -110,7 +110,7 @@ public interface Pass {
     }
 
     /** out += a . v, where a is the same for all. */
-    record AddDotWith(double ax, double ay, double az, Vectors v, double[] out) implements Pass {
+    record AddDotWith(double ax, double ay, double az, Vectors v, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] x = v.x(), y = v.y(), z = v.z();
@@ -121,7 +121,7 @@ public interface Pass {
     }
 
     /** out = |v|, as the root of squares. */
-    record Length(Vectors v, double[] out) implements Pass {
+    record Length(Vectors v, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] x = v.x(), y = v.y(), z = v.z();
@@ -132,7 +132,7 @@ public interface Pass {
     }
 
     /** out = |x| + |y| + |z| */
-    record Reach(Vectors v, double[] out) implements Pass {
+    record Reach(Vectors v, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] x = v.x(), y = v.y(), z = v.z();
@@ -146,7 +146,7 @@ public interface Pass {
      * v /= length, by way of the reciprocal, whose rounding changes the length alone and not the direction. The zero
      * vector stays what it is.
      */
-    record DivideByLength(Vectors v, double[] length) implements Pass {
+    record DivideByLength(Vectors v, double[] length) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] x = v.x(), y = v.y(), z = v.z();
@@ -160,7 +160,7 @@ public interface Pass {
     }
 
     /** out = a / b, where b is not negative; nothing by nothing is nothing. */
-    record Divide(double[] a, double[] b, double[] out) implements Pass {
+    record Divide(double[] a, double[] b, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -170,7 +170,7 @@ public interface Pass {
     }
 
     /** a *= b */
-    record Multiply(double[] a, double[] b) implements Pass {
+    record Multiply(double[] a, double[] b) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -180,7 +180,7 @@ public interface Pass {
     }
 
     /** a = factor a + term */
-    record Linear(double[] a, double factor, double term) implements Pass {
+    record Linear(double[] a, double factor, double term) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -190,7 +190,7 @@ public interface Pass {
     }
 
     /** a = 1 / a */
-    record Invert(double[] a) implements Pass {
+    record Invert(double[] a) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -200,7 +200,7 @@ public interface Pass {
     }
 
     /** Cuts to [0, 1]. */
-    record Cut(double[] a) implements Pass {
+    record Cut(double[] a) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -210,7 +210,7 @@ public interface Pass {
     }
 
     /** a = min(a, most) */
-    record Limit(double[] a, double[] most) implements Pass {
+    record Limit(double[] a, double[] most) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {

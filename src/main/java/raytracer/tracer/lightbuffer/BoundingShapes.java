@@ -10,23 +10,23 @@ import raytracer.tracer.kernel.Vectors;
 
 /** What numbered things are within: the points that are no farther than a radius from a triangle. */
 @FunctionalInterface
-public interface Hulls {
+public interface BoundingShapes {
 
     /** The hulls of some things: corners of triangles, and radii. */
-    record Batch(Vectors a, Vectors b, Vectors c, double[] radius) {
+    record Chunk(Vectors a, Vectors b, Vectors c, double[] radius) {
 
         static final int CAPACITY = Batch.CAPACITY;
 
-        Batch() {
+        Chunk() {
             this(new Vectors(), new Vectors(), new Vectors(), new double[CAPACITY]);
         }
     }
 
-    /** Gets the hulls of things {@code from} to {@code to - 1}, as many as a batch can hold, in world space. */
-    void get(int from, int to, Batch out);
+    /** Gets the hulls of things {@code from} to {@code to - 1}, as many as a chunk can hold, in world space. */
+    void get(int from, int to, Chunk out);
 
     /** The corners coincide in the centre. */
-    static Hulls of(List<Shape.Sphere> spheres) {
+    static BoundingShapes of(List<Shape.Sphere> spheres) {
         return (from, to, out) -> {
             for (int k = from; k < to; k++) {
                 Shape.Sphere sphere = spheres.get(k);
@@ -43,7 +43,7 @@ public interface Hulls {
      *
      * @param order by a triangle's number here: its number in the mesh
      */
-    static Hulls of(Mesh mesh, int[] order) {
+    static BoundingShapes of(Mesh mesh, int[] order) {
         return (from, to, out) -> {
             getCorners(mesh, order, 0, from, to, out.a);
             getCorners(mesh, order, 1, from, to, out.b);

@@ -11,10 +11,10 @@ import raytracer.tracer.kernel.Rounding;
  * @param directional whether it is at infinity
  * @param x           its position, or for a directional light the unit vector towards it
  */
-public record Lamp(boolean directional, double x, double y, double z, Colour colour) {
+public record LightSource(boolean directional, double x, double y, double z, Colour colour) {
 
-    public static Lamp ofEye(Vector eye) {
-        return new Lamp(false, eye.x(), eye.y(), eye.z(), Colour.BLACK);
+    public static LightSource ofEye(Vector eye) {
+        return new LightSource(false, eye.x(), eye.y(), eye.z(), Colour.BLACK);
     }
 
     /**
@@ -25,8 +25,8 @@ public record Lamp(boolean directional, double x, double y, double z, Colour col
         return 7 * Rounding.U * (Math.abs(x) + Math.abs(y) + Math.abs(z));
     }
 
-    public static Lamp of(Light light) {
+    public static LightSource of(Light light) {
         Vector v = light instanceof Light.Directional d ? d.towards().unit() : ((Light.Point) light).position();
-        return new Lamp(light instanceof Light.Directional, v.x(), v.y(), v.z(), light.colour());
+        return new LightSource(light instanceof Light.Directional, v.x(), v.y(), v.z(), light.colour());
     }
 }

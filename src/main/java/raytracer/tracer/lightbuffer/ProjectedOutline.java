@@ -4,8 +4,8 @@ import java.util.Arrays;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.kernel.Batch;
 
-/** How a thing is seen on a {@link Face}: a triangle, or a box around something round. Serves thing after thing. */
-public final class Outline {
+/** How a thing is seen on a {@link CubeFace}: a triangle, or a box around something round. Serves thing after thing. */
+public final class ProjectedOutline {
 
     // The triangle, as seen from the lamp.
     private double ax, ay, az;
@@ -27,7 +27,7 @@ public final class Outline {
     private int[] cells = new int[64];
 
     /** Takes one of the hulls, which are in the tree's space and as seen from the lamp but for their radii. */
-    void take(Hulls.Batch hulls, int i, double scale) {
+    void take(BoundingShapes.Chunk hulls, int i, double scale) {
         ax = hulls.a().x()[i];
         ay = hulls.a().y()[i];
         az = hulls.a().z()[i];
@@ -42,7 +42,7 @@ public final class Outline {
 
     /** The number of the only face on which it is seen; negative if there may be more. */
     int onlyFace() {
-        int face = Face.number(ax, ay, az);
+        int face = CubeFace.number(ax, ay, az);
         int axis = face / 2;
         double sign = face % 2 == 0 ? 1 : -1;
         double room = axis == 0 ? least(room(sign * ax, ay, az), room(sign * bx, by, bz), room(sign * cx, cy, cz))
@@ -57,7 +57,7 @@ public final class Outline {
     }
 
     /** Looks at it on a face; false if it is not seen in the part with cells. */
-    boolean isSeenOn(Face face) {
+    boolean isSeenOn(CubeFace face) {
         double depthA = face.depth(ax, ay, az), ua = face.across(ax, ay, az), va = face.down(ax, ay, az);
         double depthB = face.depth(bx, by, bz), ub = face.across(bx, by, bz), vb = face.down(bx, by, bz);
         double depthC = face.depth(cx, cy, cz), uc = face.across(cx, cy, cz), vc = face.down(cx, cy, cz);
@@ -141,12 +141,12 @@ public final class Outline {
     }
 
     /** How many cells there are in the box around it. */
-    long cellsAround(Face face) {
+    long cellsAround(CubeFace face) {
         return (face.column(greatestU) - face.column(leastU) + 1L) * (face.row(greatestV) - face.row(leastV) + 1);
     }
 
     /** Finds the {@link #cell}s in which it is seen, those that no edge has all outside; returns how many. */
-    int findCells(Face face) {
+    int findCells(CubeFace face) {
         int firstColumn = face.column(leastU), lastColumn = face.column(greatestU);
         int firstRow = face.row(leastV), lastRow = face.row(greatestV);
         if (cells.length < cellsAround(face)) {

@@ -9,12 +9,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @DisplayName("A tape")
-class TapeTest {
+class IntQueueTest {
 
     @ParameterizedTest(name = "gives back {0} numbers in their order, and no more")
     @ValueSource(ints = {0, 1, 65_535, 65_536, 65_537, 131_072, 200_000})
     void givesBackWhatWasAdded(int count) {
-        Tape tape = new Tape();
+        IntQueue tape = new IntQueue();
         for (int i = 0; i < count; i++) {
             tape.add(i * 0x9E3779B1);
         }

@@ -2,7 +2,7 @@ package raytracer.tracer.search;
 
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.LightBuffer;
@@ -17,7 +17,7 @@ import raytracer.tracer.rays.ShadowRays;
  * rays, if they are few; else each ray looks up what may be in its way in a {@link LightBuffer}, once there is one, or
  * walks through the tree. For one thread.
  */
-public final class BlockerSearch implements Pass {
+public final class AnyHit implements Kernel {
 
     private final BoundedSurfaces surfaces;
     private final Bvh bvh;
@@ -25,23 +25,23 @@ public final class BlockerSearch implements Pass {
     private final ShadowRays shadows;
     private final SearchWorkspace space;
 
-    private final Pass blockBeside = this::blockBeside;
-    private final Pass blockGathered = this::blockGathered;
-    private final Pass walk = this::walk;
-    private final Pass findCells = this::findCells;
-    private final Pass lookUp = this::lookUp;
+    private final Kernel blockOversized = this::blockOversized;
+    private final Kernel blockGathered = this::blockGathered;
+    private final Kernel walk = this::walk;
+    private final Kernel findCells = this::findCells;
+    private final Kernel lookUp = this::lookUp;
 
     /** Where rays are looked up, if they are. */
     private LightBuffer buffer;
 
     /** What closes every open shadow ray that a surface of one kind blocks between its ends. */
-    public static Pass among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+    public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
-                ? new BlockerSearch(bounded, rays, shadows, space)
+                ? new AnyHit(bounded, rays, shadows, space)
                 : ((Planes) kind).blocking(rays, shadows, space.surfaces());
     }
 
-    private BlockerSearch(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+    private AnyHit(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.shadows = shadows;
@@ -51,8 +51,8 @@ public final class BlockerSearch implements Pass {
 
     @Override
     public void run(int from, int to) {
-        if (bvh.beside() > 0) {
-            Pass.run(blockBeside, from, to);
+        if (bvh.oversized() > 0) {
+            Kernel.run(blockOversized, from, to);
         }
         LazyLightBuffer lazy = surfaces.lightBuffer(shadows.lamp);
         // What mirrors show is too scattered for a beam, nearly always.
@@ -63,13 +63,13 @@ public final class BlockerSearch implements Pass {
         if (!space.beam().gather(bvh)) {
             blockEach(lazy, from, to);
         } else if (space.beam().count() > 0) {
-            Pass.run(blockGathered, from, to);
+            Kernel.run(blockGathered, from, to);
         }
     }
 
-    private void blockBeside(int from, int to) {
+    private void blockOversized(int from, int to) {
         surfaces.prepareToBlock(rays, shadows, from, to, space.surfaces());
-        for (int k = 0; k < bvh.beside(); k++) {
+        for (int k = 0; k < bvh.oversized(); k++) {
             surfaces.blockAll(rays, shadows, from, to, k, space.surfaces());
         }
     }
@@ -86,7 +86,7 @@ public final class BlockerSearch implements Pass {
         if (lazy != null && lookUp(lazy.insteadOfWalks(to - from), from, to)) {
             return;
         }
-        Pass.run(walk, from, to);
+        Kernel.run(walk, from, to);
     }
 
     /** Looks rays up in a light buffer; false if there is none, or they start too far away. */
@@ -95,14 +95,14 @@ public final class BlockerSearch implements Pass {
             return false;
         }
         buffer = in;
-        Pass.run(findCells, from, to);
-        Pass.run(lookUp, from, to);
+        Kernel.run(findCells, from, to);
+        Kernel.run(lookUp, from, to);
         return true;
     }
 
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (shadows.open[i]) {
+            if (shadows.unoccluded[i]) {
                 walk(i);
             }
         }
@@ -112,7 +112,7 @@ public final class BlockerSearch implements Pass {
         BvhWalk walk = space.surfaces().walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], shadows.dx[i], shadows.dy[i], shadows.dz[i])) {
             look(walk.x(), walk.y(), walk.z(), walk.start(), i);
-            shadows.open[i] = !anyOnTheWayBlocks(i);
+            shadows.unoccluded[i] = !anyOnTheWayBlocks(i);
         }
     }
 
@@ -140,10 +140,10 @@ public final class BlockerSearch implements Pass {
     private void lookUp(int from, int to) {
         LightBuffer.Cells cells = space.cells();
         for (int i = from; i < to; i++) {
-            if (shadows.open[i] && cells.first[i] < cells.end[i]) {
+            if (shadows.unoccluded[i] && cells.first[i] < cells.end[i]) {
                 double x = cells.x[i], y = cells.y[i], z = cells.z[i];
                 look(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
-                shadows.open[i] = !anyInTheCellBlocks(i);
+                shadows.unoccluded[i] = !anyInTheCellBlocks(i);
             }
         }
     }

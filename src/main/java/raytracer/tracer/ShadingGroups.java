@@ -1,14 +1,14 @@
 package raytracer.tracer;
 
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.primitive.SlotTable;
+import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.rays.Rays;
 
 /**
  * Puts a tile's rays in order by the look of what they have met, so that all of a group arrive and are shaded by the
  * same rules and the same numbers. Most tiles have one or two groups.
  */
-final class Groups {
+final class ShadingGroups {
 
     private final int[] look;
 
@@ -20,7 +20,7 @@ final class Groups {
     private final int[] groupOf = new int[Batch.CAPACITY];
     private final int[] order = new int[Batch.CAPACITY];
 
-    Groups(SlotTable slots) {
+    ShadingGroups(SurfaceTable slots) {
         look = slots.look();
     }
 

@@ -2,13 +2,13 @@ package raytracer.tracer.search;
 
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
-import raytracer.tracer.kernel.Pass;
+import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.LightBuffer;
 import raytracer.tracer.primitive.BoundedSurfaces;
 import raytracer.tracer.primitive.Planes;
 import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.rays.Lamp;
+import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 
 /**
@@ -16,18 +16,18 @@ import raytracer.tracer.rays.Rays;
  * finds few; else each ray looks up what is ahead of it in the eye's {@link LightBuffer}, once there is one and if it
  * comes from there, or walks through the tree. For one thread.
  */
-public final class NearestSearch implements Pass {
+public final class ClosestHit implements Kernel {
 
     private final BoundedSurfaces surfaces;
     private final Bvh bvh;
     private final Rays rays;
     private final SearchWorkspace space;
 
-    private final Pass meetBeside = this::meetBeside;
-    private final Pass meetGathered = this::meetGathered;
-    private final Pass walk = this::walk;
-    private final Pass findCells = this::findCells;
-    private final Pass lookUp = this::lookUp;
+    private final Kernel intersectOversized = this::intersectOversized;
+    private final Kernel intersectGathered = this::intersectGathered;
+    private final Kernel walk = this::walk;
+    private final Kernel findCells = this::findCells;
+    private final Kernel lookUp = this::lookUp;
 
     private final LazyLightBuffer ofEye;
     private LightBuffer buffer;
@@ -37,14 +37,14 @@ public final class NearestSearch implements Pass {
      *
      * @param eye where rays start, if they leave the eye
      */
-    public static Pass among(Surfaces kind, Rays rays, Lamp eye, SearchWorkspace space) {
+    public static Kernel among(Surfaces kind, Rays rays, LightSource eye, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
-                ? new NearestSearch(bounded, rays, bounded.lightBuffer(eye), space)
+                ? new ClosestHit(bounded, rays, bounded.lightBuffer(eye), space)
                 : ((Planes) kind).intersecting(rays, space.surfaces());
     }
 
     /** @param ofEye null if there is none, nor will be */
-    private NearestSearch(BoundedSurfaces surfaces, Rays rays, LazyLightBuffer ofEye, SearchWorkspace space) {
+    private ClosestHit(BoundedSurfaces surfaces, Rays rays, LazyLightBuffer ofEye, SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.ofEye = ofEye;
@@ -54,28 +54,28 @@ public final class NearestSearch implements Pass {
 
     @Override
     public void run(int from, int to) {
-        if (bvh.beside() > 0) {
-            Pass.run(meetBeside, from, to);
+        if (bvh.oversized() > 0) {
+            Kernel.run(intersectOversized, from, to);
         }
         space.beam().take(rays, from, to);
         if (!space.beam().gather(bvh)) {
             findEach(from, to);
         } else if (space.beam().count() > 0) {
-            Pass.run(meetGathered, from, to);
+            Kernel.run(intersectGathered, from, to);
         }
     }
 
-    private void meetBeside(int from, int to) {
-        surfaces.prepareToMeet(rays, from, to, space.surfaces());
-        for (int k = 0; k < bvh.beside(); k++) {
-            surfaces.meetAll(rays, from, to, k, space.surfaces());
+    private void intersectOversized(int from, int to) {
+        surfaces.prepareToIntersect(rays, from, to, space.surfaces());
+        for (int k = 0; k < bvh.oversized(); k++) {
+            surfaces.intersectAll(rays, from, to, k, space.surfaces());
         }
     }
 
-    private void meetGathered(int from, int to) {
-        surfaces.prepareToMeet(rays, from, to, space.surfaces());
+    private void intersectGathered(int from, int to) {
+        surfaces.prepareToIntersect(rays, from, to, space.surfaces());
         for (int n = 0; n < space.beam().count(); n++) {
-            surfaces.meetAll(rays, from, to, space.beam().thing(n), space.surfaces());
+            surfaces.intersectAll(rays, from, to, space.beam().thing(n), space.surfaces());
         }
     }
 
@@ -83,10 +83,10 @@ public final class NearestSearch implements Pass {
     private void findEach(int from, int to) {
         buffer = rays.leaveEye && ofEye != null ? ofEye.insteadOfWalks(to - from) : null;
         if (buffer != null) {
-            Pass.run(findCells, from, to);
-            Pass.run(lookUp, from, to);
+            Kernel.run(findCells, from, to);
+            Kernel.run(lookUp, from, to);
         } else {
-            Pass.run(walk, from, to);
+            Kernel.run(walk, from, to);
         }
     }
 
@@ -102,7 +102,7 @@ public final class NearestSearch implements Pass {
         BvhWalk walk = space.surfaces().walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], rays.dx[i], rays.dy[i], rays.dz[i])) {
             look(walk.x(), walk.y(), walk.z(), walk.start(), i);
-            meetOnTheWay(i);
+            intersectOnTheWay(i);
         }
     }
 
@@ -111,11 +111,11 @@ public final class NearestSearch implements Pass {
                 rays.directionError[i], space.surfaces());
     }
 
-    private void meetOnTheWay(int ray) {
+    private void intersectOnTheWay(int ray) {
         BvhWalk walk = space.surfaces().walk;
         while (walk.nextLeaf(rays.reach(ray))) {
             for (int left = surfaces.inSight(walk.first(), walk.end(), space.surfaces()); left != 0; left &= left - 1) {
-                surfaces.meet(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
+                surfaces.intersect(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
             }
         }
     }
@@ -130,17 +130,17 @@ public final class NearestSearch implements Pass {
             if (cells.first[i] < cells.end[i]) {
                 double x = cells.x[i], y = cells.y[i], z = cells.z[i];
                 look(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
-                meetInTheCell(i);
+                intersectInTheCell(i);
             }
         }
     }
 
-    private void meetInTheCell(int ray) {
+    private void intersectInTheCell(int ray) {
         LightBuffer.Cells cells = space.cells();
         for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
             int k = buffer.thing(entry);
             if (surfaces.inSight(k, k + 1, space.surfaces()) != 0) {
-                surfaces.meet(rays, ray, k);
+                surfaces.intersect(rays, ray, k);
                 buffer.limit(rays.reach(ray), ray, cells);
             }
         }

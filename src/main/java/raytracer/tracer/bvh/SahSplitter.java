@@ -8,7 +8,7 @@ import java.util.Arrays;
  * Hierarchies, 2007). Boxes move together with their things, so that every pass reads memory in order. One object
  * serves range after range.
  */
-public final class Split {
+public final class SahSplitter {
 
     private static final int BINS = 16;
 
@@ -30,7 +30,7 @@ public final class Split {
      * @param things things in some order, which splitting changes
      * @param boxes  6 numbers a thing, from thing number {@code offset} of that order
      */
-    Split(int[] things, float[] boxes, int offset) {
+    SahSplitter(int[] things, float[] boxes, int offset) {
         this.things = things;
         this.boxes = boxes;
         this.offset = offset;

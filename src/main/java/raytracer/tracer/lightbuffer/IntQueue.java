@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 
 /** Numbers to be taken again in the order in which they were added, all of them after the last was; any number. */
-public final class Tape {
+public final class IntQueue {
 
     /** Small enough that the garbage collector treats a part as it treats any object. */
     private static final int PART = 1 << 16;
