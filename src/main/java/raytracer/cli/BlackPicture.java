@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import raytracer.image.Image;
+import raytracer.parser.ParsedScene;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.render.Sampling;
@@ -14,7 +15,6 @@ import raytracer.scene.Material;
 import raytracer.scene.Mesh;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
-import raytracer.text.ParsedScene;
 import raytracer.tracer.Tracer;
 
 /** Finds out why a picture came out black, by small pictures of the same scene with something changed. */

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import raytracer.image.PngFile;
-import raytracer.text.ParsedScene;
+import raytracer.parser.ParsedScene;
 
 /**
  * Where a picture goes.

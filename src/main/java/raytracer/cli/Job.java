@@ -9,13 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import raytracer.image.PictureFile;
+import raytracer.parser.Diagnostic;
+import raytracer.parser.ParsedScene;
+import raytracer.parser.SceneException;
+import raytracer.parser.SceneParser;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.scene.Scene;
-import raytracer.text.Diagnostic;
-import raytracer.text.ParsedScene;
-import raytracer.text.SceneException;
-import raytracer.text.SceneParser;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
 

@@ -3,6 +3,7 @@ package raytracer.tracer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.tracer.bvh.TreeFacts;
@@ -27,13 +28,16 @@ public final class Tracer {
     private final SurfaceTable slots;
     private final List<LightSource> lamps;
     private final int maxDepth;
+    private final AtomicLong met;
 
-    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable slots, List<LightSource> lamps, int maxDepth) {
+    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable slots, List<LightSource> lamps, int maxDepth,
+            AtomicLong met) {
         this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.slots = slots;
         this.lamps = lamps;
         this.maxDepth = maxDepth;
+        this.met = met;
     }
 
     /** @param threads how many threads build trees; what is built does not depend on it */
@@ -49,7 +53,8 @@ public final class Tracer {
             lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
             SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, pool);
             List<Surfaces> surfaces = compiler.surfaces();
-            return new Tracer(pinhole, surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth());
+            return new Tracer(pinhole, surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth(),
+                    new AtomicLong());
         } finally {
             pool.shutdown();
         }
@@ -57,7 +62,7 @@ public final class Tracer {
 
     /** The same scene, but that paths from the eye meet at most so many surfaces. */
     public Tracer withMaxDepth(int newMaxDepth) {
-        return new Tracer(pinhole, surfaces, slots, lamps, newMaxDepth);
+        return new Tracer(pinhole, surfaces, slots, lamps, newMaxDepth, met);
     }
 
     /** The picture's, in pixels. */
@@ -78,6 +83,6 @@ public final class Tracer {
 
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
-        return new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
+        return new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, met);
     }
 }

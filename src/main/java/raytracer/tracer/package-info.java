@@ -3,6 +3,6 @@
  * flat arrays and trees ({@link raytracer.tracer.Tracer}), and samples. Out: a linear colour for each, not cut to a
  * range. {@link raytracer.tracer.TileTracer} is where to start reading: find the closest hits, move there, shade,
  * reflect. Its wings know only those before them: kernel, bvh, rays, lightbuffer, primitive, search. Must not know:
- * text, pixels as bytes, threads (but for building trees), and whoever waits for it.
+ * the parser, pixels as bytes, threads (but for building trees), and whoever waits for it.
  */
 package raytracer.tracer;

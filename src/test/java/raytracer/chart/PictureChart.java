@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import raytracer.image.Image;
+import raytracer.parser.SceneParser;
 import raytracer.render.Rendering;
 import raytracer.scene.Scene;
-import raytracer.text.SceneParser;
 import raytracer.tracer.Textbook;
 import raytracer.tracer.Tracer;
 

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import raytracer.image.Image;
+import raytracer.parser.SceneParser;
 import raytracer.scene.Scene;
-import raytracer.text.SceneParser;
 import raytracer.tracer.Tracer;
 
 /**

@@ -7,9 +7,9 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracer.image.Image;
+import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
 import raytracer.stability.NearTies;
-import raytracer.text.Scenes;
 import raytracer.tracer.Tracer;
 
 /** Where rounding alone decides what is seen, a choice made in turns would show here. */

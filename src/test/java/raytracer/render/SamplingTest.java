@@ -13,8 +13,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.image.Image;
+import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
-import raytracer.text.Scenes;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
 

@@ -13,9 +13,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import raytracer.image.Image;
 import raytracer.image.PngFile;
+import raytracer.parser.SceneParser;
 import raytracer.render.Rendering;
 import raytracer.scene.Scene;
-import raytracer.text.SceneParser;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
 

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import raytracer.chart.Origin;
+import raytracer.parser.Scenes;
 import raytracer.render.Canvas;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.render.Sampling;
 import raytracer.scene.Scene;
-import raytracer.text.Scenes;
 import raytracer.tracer.Tracer;
 
 /**

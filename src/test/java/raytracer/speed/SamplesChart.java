@@ -20,12 +20,12 @@ import org.junit.jupiter.api.io.TempDir;
 import raytracer.chart.Figure;
 import raytracer.chart.Origin;
 import raytracer.chart.Panel;
+import raytracer.parser.Scenes;
 import raytracer.render.Canvas;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.render.Sampling;
 import raytracer.scene.Scene;
-import raytracer.text.Scenes;
 import raytracer.tracer.Tracer;
 
 /**

@@ -10,10 +10,10 @@ import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import raytracer.image.Image;
+import raytracer.parser.SceneException;
+import raytracer.parser.Scenes;
 import raytracer.scene.Camera;
 import raytracer.scene.Vector;
-import raytracer.text.SceneException;
-import raytracer.text.Scenes;
 import raytracer.tracer.Pictures;
 
 @DisplayName("The rest of the arithmetic holds:")

@@ -10,9 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracer.exact.ExactRenderer;
 import raytracer.image.Image;
+import raytracer.parser.SceneParser;
 import raytracer.render.Rendering;
 import raytracer.scene.Scene;
-import raytracer.text.SceneParser;
 import raytracer.tracer.Tracer;
 
 /**

@@ -2,9 +2,9 @@ package raytracer.tracer;
 
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
+import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.text.Scenes;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.primitive.BoundedSurfaces;

@@ -1,10 +1,10 @@
 package raytracer.tracer;
 
+import raytracer.parser.Scenes;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.render.Sampling;
 import raytracer.scene.Scene;
-import raytracer.text.Scenes;
 
 /** Traces scenes that tests write down, to colours before they are cut and rounded. */
 public final class Pictures {

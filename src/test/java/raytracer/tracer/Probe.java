@@ -2,10 +2,10 @@ package raytracer.tracer;
 
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
+import raytracer.parser.Scenes;
 import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.text.Scenes;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;

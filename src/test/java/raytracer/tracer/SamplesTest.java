@@ -10,8 +10,8 @@ import java.util.Arrays;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
-import raytracer.text.Scenes;
 import raytracer.tracer.rays.Samples;
 
 @DisplayName("Samples that are traced together")

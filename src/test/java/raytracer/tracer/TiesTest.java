@@ -10,16 +10,17 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import raytracer.parser.Scenes;
 import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
-import raytracer.text.Scenes;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.primitive.BoundedSurfaces;
@@ -75,7 +76,7 @@ class TiesTest {
         /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
             Samples samples = Samples.ofColour();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
@@ -94,7 +95,7 @@ class TiesTest {
             double[] red = new double[WIDTH * HEIGHT];
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth);
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
             Samples samples = Samples.ofColour();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));

@@ -52,8 +52,8 @@ public record Bvh(int[] order, int oversized, float[] nodes, int root,
     public static final float PADDING = 18 * 0x1p-24f;
 
     /**
-     * A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. Its bits are those of a
-     * float that is a number: of others, a processor need not keep them.
+     * A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. Never the bits of
+     * a NaN: a copy of a float may change those.
      */
     static int leaf(int first, int count) {
         return Integer.MIN_VALUE | first * LEAF_SIZE + count - 1;

@@ -134,7 +134,7 @@ public final class BvhBuilder {
             split = new SahSplitter(things, boxes, offset);
         }
 
-        /** With a stack of its own: a method that calls itself C2 would compile into itself, for a quarter second. */
+        /** With a stack of its own: C2 would inline a recursion into itself, for a quarter second. */
         @Override
         protected Nodes compute() {
             Nodes nodes = new Nodes();

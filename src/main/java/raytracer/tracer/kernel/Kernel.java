@@ -16,12 +16,12 @@ public interface Kernel {
 
     void run(int from, int to);
 
-    /** Runs a pass without HotSpot's knowing of what kind it is, even in a method that has just made it. */
+    /** Runs a kernel of a kind that HotSpot does not know, even in a method that has just made it. */
     static void run(Kernel pass, int from, int to) {
         unknown(pass, 2).run(from, to);
     }
 
-    /** Into itself, HotSpot compiles a method once (-XX:MaxRecursiveInlineLevel), so the last of three calls stays. */
+    /** HotSpot inlines recursion one level deep (-XX:MaxRecursiveInlineLevel), so two levels hide the receiver's type. */
     private static Kernel unknown(Kernel pass, int deeper) {
         return deeper > 0 ? unknown(pass, deeper - 1) : pass;
     }
@@ -31,7 +31,7 @@ public interface Kernel {
         @Override
         public void run(int from, int to) {
             for (Kernel pass : passes) {
-                // Not by way of run: here HotSpot has seen passes of any kind.
+                // Not by way of run: here HotSpot has seen kernels of any kind.
                 pass.run(from, to);
             }
         }

@@ -16,10 +16,7 @@ import raytracer.tracer.rays.LightSource;
  */
 public final class LazyLightBuffer {
 
-    /**
-     * It takes about as long to build as a walk for each thing, and as so many more while the code that builds it is
-     * cold: one fewer for each thing that it has sorted.
-     */
+    /** Building costs about one walk a primitive, and so many more at first, until its code is compiled. */
     private static final int COLD_WALKS = 250_000;
 
     /** By any buffer: HotSpot too counts for the whole process. */

@@ -135,7 +135,7 @@ public final class LightBuffer {
         return (long) nearest << 32 | thing;
     }
 
-    /** A float's bits, of a negative one those of its magnitude turned: they are in order as the floats are. */
+    /** An order-preserving map from float to int. */
     static int key(float depth) {
         int bits = Float.floatToRawIntBits(depth);
         return bits ^ bits >> 31 & Integer.MAX_VALUE;

@@ -5,7 +5,7 @@ import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
-/** What is plain of rays and a sphere when its perpendiculars to them are known; the others need a closer look. */
+/** Hits and misses of a sphere that are certain in plain doubles; the rest goes to the robust test of {@link Spheres}. */
 public final class PlainSphere {
 
     // A ray is clear of a sphere if its perpendicular's square exceeds r^2 by this part of it, and the ray's origin is

@@ -198,7 +198,7 @@ public final class Triangles extends BoundedSurfaces {
 
     /**
      * Computes for all rays the least product of two edges' sides, in {@link Workspace#square}: negative where a ray
-     * passes edges on different sides. The sides are those of {@link #passesWithin}, but from the rays' moments about
+     * passes edges on different sides. The sides are those of {@link #within}, but from the rays' moments about
      * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
      * digits, and is only a first sieve.
      *

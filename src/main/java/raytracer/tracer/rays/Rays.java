@@ -64,7 +64,7 @@ public final class Rays {
     public final double[] green = new double[Batch.CAPACITY];
     public final double[] blue = new double[Batch.CAPACITY];
 
-    // The same, as passes want them.
+    // The same, as kernels want them.
     public final Vectors origin = new Vectors(ox, oy, oz);
     public final Vectors direction = new Vectors(dx, dy, dz);
     public final Vectors normal = new Vectors(nx, ny, nz);

@@ -13,9 +13,9 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
 /**
- * Closes the shadow rays that surfaces of one kind block: those that the rays' {@link Beam} meets are tried with all
- * rays, if they are few; else each ray looks up what may be in its way in a {@link LightBuffer}, once there is one, or
- * walks through the tree. For one thread.
+ * Closes the shadow rays that surfaces of one kind block. If the rays' {@link Beam} finds few surfaces, all rays try
+ * those; else each looks up what may be in its way in a {@link LightBuffer}, once there is one, or walks the tree. For
+ * one thread.
  */
 public final class AnyHit implements Kernel {
 

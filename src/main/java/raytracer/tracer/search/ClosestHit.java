@@ -12,9 +12,9 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 
 /**
- * Offers a tile's rays the surfaces of one kind that they meet: to all rays those that their {@link Beam} meets, if it
- * finds few; else each ray looks up what is ahead of it in the eye's {@link LightBuffer}, once there is one and if it
- * comes from there, or walks through the tree. For one thread.
+ * Records the closest hit of each of a batch's rays with surfaces of one kind. If the rays' {@link Beam} finds few, all
+ * rays try those; else a ray from the eye looks up what is ahead of it in the eye's {@link LightBuffer}, once there is
+ * one, and any other walks the tree. For one thread.
  */
 public final class ClosestHit implements Kernel {
 

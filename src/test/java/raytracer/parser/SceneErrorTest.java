@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

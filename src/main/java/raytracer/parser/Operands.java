@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 import raytracer.scene.Colour;
 import raytracer.scene.Vector;

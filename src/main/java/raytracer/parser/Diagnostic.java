@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 /**
  * One thing to say about a scene file, built whole so that it can be printed at once.

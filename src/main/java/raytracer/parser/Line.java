@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;

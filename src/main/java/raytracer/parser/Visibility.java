@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 import java.util.List;
 import raytracer.scene.Mesh;

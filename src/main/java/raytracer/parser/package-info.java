@@ -3,4 +3,4 @@
  * or all of its mistakes with line and column; and what its author may not have meant. Must not know: how scenes
  * are traced, where files are, what is printed.
  */
-package raytracer.text;
+package raytracer.parser;

@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;

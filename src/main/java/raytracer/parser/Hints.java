@@ -1,4 +1,4 @@
-package raytracer.text;
+package raytracer.parser;
 
 /** What to do about words of other scene formats, which people try here. */
 final class Hints {
