@@ -26,8 +26,7 @@ public final class TileTracer {
 
     /**
      * While cold, batches are small, so that methods are compiled for their number of calls and not on-stack
-     * (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold); with full ones from the start, a picture and one of
-     * 16 samples a pixel take 1.06 and 1.07 times the CPU time.
+     * (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
     private static final int COLD_CAPACITY = 40;
     private static final int COLD_RAYS = 4000 * COLD_CAPACITY;
