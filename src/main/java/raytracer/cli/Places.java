@@ -32,7 +32,7 @@ final class Places {
         for (Claim other : claims) {
             if ((claim.isWritten || other.isWritten) && areSame(claim.file, other.file)) {
                 Claim written = claim.isWritten ? claim : other, kept = claim.isWritten ? other : claim;
-                throw new UsageException(written + " would replace " + kept + "; nothing was rendered");
+                throw new UsageException(written + " would replace " + kept);
             }
         }
         claims.add(claim);
