@@ -9,6 +9,11 @@ import java.util.List;
 import java.util.Locale;
 import raytracer.chart.Figure;
 import raytracer.chart.Panel;
+import raytracer.files.Destination;
+import raytracer.files.OutputFile;
+import raytracer.files.Places;
+import raytracer.files.Reason;
+import raytracer.files.UsageException;
 import raytracer.render.Canvas;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
@@ -79,7 +84,7 @@ final class ChartJob {
     }
 
     int run() throws IOException, UsageException {
-        Path svg = Reason.path(options.chart());
+        Path svg = Reason.path(options.text(Option.CHART));
         Path csv = svg.resolveSibling(Destination.baseName(svg, ".svg") + ".csv");
         places.read(Reason.path(options.scenes().get(0)), "the scene");
         places.write(svg, "the chart");
@@ -125,8 +130,8 @@ final class ChartJob {
         Canvas canvas = new Canvas(scene.width(), scene.height());
         Renderer renderer = new Renderer(with, sampling, options.threads(),
                 Region.whole(scene.width(), scene.height()), canvas);
-        ProgressBar.during(renderer::render, terminal.err(), options.quiet(), renderer::progress);
-        if (options.verbose()) {
+        ProgressBar.during(renderer::render, terminal.err(), options.has(Option.QUIET), renderer::progress);
+        if (options.has(Option.VERBOSE)) {
             terminal.tell(String.format(Locale.ROOT, "%.0f s: %s", elapsed.millis() / 1e3, what));
         }
         return canvas;

@@ -4,6 +4,9 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import raytracer.files.Encoding;
+import raytracer.files.Places;
+import raytracer.files.UsageException;
 
 /** The command line. Only this package prints, and only here does the program exit. */
 public final class Main {
@@ -19,31 +22,6 @@ public final class Main {
 
     /** The picture is not the one it was compared with. */
     static final int DIFFERS = 3;
-
-    private static final String HELP = """
-            usage: raytracer [options] SCENE...       SCENE may be - for standard input
-              -o, --output FILE     write here, not to the scene's 'output'; - for stdout
-                  --size WxH        override the scene's size
-                  --maxdepth N      override the scene's maxdepth
-                  --samples N       N x N samples a pixel, 1 to 64; 1 is the reference
-                  --samples auto:E  as many as an error of E takes; 1/255 if left out
-                  --region X,Y,W,H  render only this part of the picture
-                  --threads N       use N threads instead of one per core
-                  --compare FILE    compare with this picture; SCENE may be a picture too
-                  --compare FOLDER  compare each SCENE with NAME.png in there
-                  --diff FILE       show differences here; else beside, in NAME-diff.png
-                  --tolerance N     by how much components may differ, 0 to 255
-                  --chart FILE.svg  chart time against error for this scene; no picture
-                  --chart-seconds N how long to measure for it, about (60)
-                  --quiet           no progress and no summary; errors and warnings stay
-                  --verbose         tell what was read and built, and how fast it went
-                  --repeat N        render N times in this process, write once
-                  --stats FILE      write figures as JSON
-                  --check           parse and validate only, write nothing
-              -h, --help; --version this text; the version
-
-            exit status: 0 done, 1 failed, 2 bad usage or scene, 3 pictures differ
-            """;
 
     private Main() { }
 
@@ -62,17 +40,17 @@ public final class Main {
             new Terminal(out, err).tell("raytracer: " + e.getMessage());
             return BAD_INPUT;
         }
-        if (options.help()) {
-            out.print(HELP);
+        if (options.has(Option.HELP)) {
+            out.print(Option.help());
             return DONE;
         }
-        if (options.version()) {
+        if (options.has(Option.VERSION)) {
             String version = Main.class.getPackage().getImplementationVersion();
             out.println("raytracer " + (version == null ? "(development)" : version));
             return DONE;
         }
-        if (!options.check() && options.chart() == null) {
-            Picture.loadEncoder();
+        if (!options.has(Option.CHECK) && !options.has(Option.CHART)) {
+            Encoding.prepare();
         }
         return run(options, new Terminal(out, err));
     }
@@ -81,10 +59,10 @@ public final class Main {
         Places places = new Places();
         List<Job> jobs = new ArrayList<>();
         for (String scene : options.scenes()) {
-            jobs.add(new Job(scene, options, places, terminal));
+            jobs.add(new Job(new Input(scene), options, places, terminal));
         }
         try {
-            if (jobs.size() > 1 && !options.check()) {
+            if (jobs.size() > 1 && !options.has(Option.CHECK)) {
                 for (Job job : jobs) {
                     job.claim();
                 }

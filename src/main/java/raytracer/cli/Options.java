@@ -2,222 +2,231 @@ package raytracer.cli;
 
 import java.io.File;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import raytracer.files.UsageException;
 import raytracer.render.Region;
 import raytracer.render.Sampling;
+import raytracer.scene.Scene;
 
-/**
- * What the command line asks for.
- *
- * @param output    null if the scene decides; {@link #STANDARD} for standard output
- * @param width     0 if the scene decides; so is {@code height}
- * @param maxDepth  0 if the scene decides
- * @param region    null for the whole picture
- * @param reference null if there is nothing to compare with
- * @param difference null for the usual place
- * @param tolerance by how much components may differ from the reference, of 255
- * @param chart     null if none is wanted
- * @param stats     null if none are wanted
- */
-record Options(List<String> scenes, String output, int width, int height, int maxDepth, Sampling sampling,
-        Region region, int threads, boolean quiet, boolean verbose, int repeat, String reference, String difference, int tolerance,
-        String chart, int chartSeconds, String stats, boolean check, boolean help, boolean version) {
+/** What the command line asks for: once made, every value can be read. */
+final class Options {
 
-    /** In place of a file's name: standard input or output. */
-    static final String STANDARD = "-";
+    private static final int MAX_THREADS = 1024;
+    private static final int MAX_SECONDS = 24 * 60 * 60;
+    private static final int DEFAULT_SECONDS = 60;
 
-    private static final int MOST_THREADS = 1024;
-    private static final int MOST_SECONDS = 24 * 60 * 60;
-
-    private static final String SIZE = "(\\d{1,10})[xX](\\d{1,10})";
-    private static final String REGION = "(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})";
+    private static final Pattern SIZE = Pattern.compile("(\\d{1,10})[xX](\\d{1,10})");
+    private static final Pattern REGION = Pattern.compile("(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})");
 
     /** A number or a fraction. */
-    private static final String ERROR = "auto:(\\d*\\.?\\d+)(?:/(\\d*\\.?\\d+))?";
+    private static final Pattern ERROR = Pattern.compile("auto:(\\d*\\.?\\d+)(?:/(\\d*\\.?\\d+))?");
 
-    static Options parse(String[] args) throws UsageException {
-        return new Reader(List.of(args).iterator()).read();
+    private final List<String> scenes = new ArrayList<>();
+    private final Map<Option, String> values = new EnumMap<>(Option.class);
+
+    static Options parse(String... args) throws UsageException {
+        Options options = new Options();
+        options.read(List.of(args).iterator());
+        if (!options.has(Option.HELP) && !options.has(Option.VERSION)) {
+            options.requireScenes();
+            options.requireSense();
+            options.requireValues();
+        }
+        return options;
     }
 
-    /** The options while they are being read. */
-    private static final class Reader {
-        private final Iterator<String> args;
-        private final List<String> scenes = new ArrayList<>();
-        private String output;
-        private int width;
-        private int height;
-        private int maxDepth;
-        private Sampling sampling = Sampling.CENTRES;
-        private Region region;
-        private int threads = Runtime.getRuntime().availableProcessors();
-        private boolean quiet;
-        private boolean verbose;
-        private int repeat = 1;
-        private String reference;
-        private String difference;
-        private int tolerance = -1;
-        private String chart;
-        private int chartSeconds;
-        private String stats;
-        private boolean check;
-        private boolean help;
-        private boolean version;
+    private Options() { }
 
-        Reader(Iterator<String> args) {
-            this.args = args;
+    private void read(Iterator<String> args) throws UsageException {
+        while (args.hasNext()) {
+            String arg = args.next();
+            if (arg.equals("--")) {
+                args.forEachRemaining(scenes::add);
+            } else if (arg.startsWith("-") && arg.length() > 1) {
+                int equals = arg.startsWith("--") ? arg.indexOf('=') : -1;
+                String flag = equals < 0 ? arg : arg.substring(0, equals);
+                put(Option.of(flag), flag, equals < 0 ? null : arg.substring(equals + 1), args);
+            } else {
+                scenes.add(arg);
+            }
         }
+    }
 
-        Options read() throws UsageException {
-            while (args.hasNext()) {
-                String arg = args.next();
-                if (arg.equals("--")) {
-                    args.forEachRemaining(scenes::add);
-                } else if (arg.startsWith("-") && arg.length() > 1) {
-                    int equals = arg.startsWith("--") ? arg.indexOf('=') : -1;
-                    option(equals < 0 ? arg : arg.substring(0, equals), equals < 0 ? null : arg.substring(equals + 1));
-                } else {
-                    scenes.add(arg);
+    private void put(Option option, String flag, String attached, Iterator<String> args) throws UsageException {
+        if (!option.takesValue() && attached != null) {
+            throw new UsageException(flag + " takes no value, found '" + attached + "'");
+        }
+        String value = attached != null ? attached : option.takesValue() && args.hasNext() ? args.next() : "";
+        if (option.takesValue() && value.isEmpty()) {
+            throw new UsageException("expected a value after " + flag + ", found none");
+        }
+        values.put(option, value);
+    }
+
+    private void requireScenes() throws UsageException {
+        if (scenes.isEmpty()) {
+            throw new UsageException("expected a scene file, found none; see --help");
+        }
+        if (scenes.size() > 1) {
+            for (Option option : List.of(Option.OUTPUT, Option.STATS, Option.DIFF, Option.CHART)) {
+                requireOneScene(has(option), option.flag());
+            }
+            requireOneScene(has(Option.COMPARE) && !new File(text(Option.COMPARE)).isDirectory(),
+                    "--compare with a file (not a folder)");
+        }
+    }
+
+    private void requireOneScene(boolean alone, String what) throws UsageException {
+        if (alone) {
+            throw new UsageException(what + " goes with one scene, found " + scenes.size());
+        }
+    }
+
+    private void requireSense() throws UsageException {
+        requireTogether(Option.TOLERANCE, Option.COMPARE);
+        requireTogether(Option.DIFF, Option.COMPARE);
+        requireTogether(Option.CHART_SECONDS, Option.CHART);
+        if (has(Option.CHART)) {
+            for (Option single : List.of(Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.REPEAT,
+                    Option.STATS)) {
+                if (has(single)) {
+                    throw new UsageException("--chart goes without " + single.flag() + ": it tries many settings in"
+                            + " turns, and writes a chart in place of a picture");
                 }
             }
-            if (!help && !version) {
-                requireScenes();
-                requireSense();
+            if (!text(Option.CHART).endsWith(".svg")) {
+                throw new UsageException("expected the file of --chart to end in '.svg', found '" + text(Option.CHART)
+                        + "'");
             }
-            return new Options(List.copyOf(scenes), output, width, height, maxDepth, sampling, region, threads, quiet,
-                    verbose, repeat, reference, difference, Math.max(tolerance, 0), chart, chartSeconds == 0 ? 60 : chartSeconds,
-                    stats, check, help, version);
         }
+    }
 
-        private void requireScenes() throws UsageException {
-            if (scenes.isEmpty()) {
-                throw new UsageException("expected a scene file, found none; see --help");
-            }
-            String alone = output != null ? "--output" : stats != null ? "--stats" : difference != null ? "--diff"
-                    : chart != null ? "--chart" : isFile(reference) ? "--compare with a file (not a folder)" : null;
-            if (scenes.size() > 1 && alone != null) {
-                throw new UsageException(alone + " goes with one scene, found " + scenes.size());
-            }
+    private void requireTogether(Option option, Option other) throws UsageException {
+        if (has(option) && !has(other)) {
+            throw new UsageException(option.flag() + " goes with " + other.flag() + ", found none");
         }
+    }
 
-        private static boolean isFile(String reference) {
-            return reference != null && !new File(reference).isDirectory();
-        }
+    /** Reads every value once, so that all of them can be read from now on. */
+    private void requireValues() throws UsageException {
+        requireWhole(Option.MAXDEPTH, 1, Integer.MAX_VALUE);
+        requireWhole(Option.THREADS, 1, MAX_THREADS);
+        requireWhole(Option.REPEAT, 1, Integer.MAX_VALUE);
+        requireWhole(Option.TOLERANCE, 0, 255);
+        requireWhole(Option.CHART_SECONDS, 1, MAX_SECONDS);
+        numbers(Option.SIZE, SIZE, "like 640x480", 1, "width", "height");
+        region();
+        sampling();
+    }
 
-        private void requireSense() throws UsageException {
-            if (tolerance >= 0 && reference == null) {
-                throw new UsageException("--tolerance goes with --compare, found none");
-            }
-            if (difference != null && reference == null) {
-                throw new UsageException("--diff goes with --compare, found none");
-            }
-            if (chartSeconds > 0 && chart == null) {
-                throw new UsageException("--chart-seconds goes with --chart, found none");
-            }
-            if (chart != null) {
-                requireSenseOfChart();
-            }
-        }
+    List<String> scenes() {
+        return scenes;
+    }
 
-        private void requireSenseOfChart() throws UsageException {
-            String single = reference != null ? "--compare" : region != null ? "--region" : output != null ? "--output"
-                    : !sampling.equals(Sampling.CENTRES) ? "--samples" : repeat > 1 ? "--repeat"
-                    : stats != null ? "--stats" : null;
-            if (single != null) {
-                throw new UsageException("--chart goes without " + single + ": it tries many settings in turns,"
-                        + " and writes a chart in place of a picture");
-            }
-            if (!chart.endsWith(".svg")) {
-                throw new UsageException("expected the file of --chart to end in '.svg', found '" + chart + "'");
-            }
-        }
+    boolean has(Option option) {
+        return values.containsKey(option);
+    }
 
-        private void option(String name, String attached) throws UsageException {
-            switch (name) {
-                case "-o", "--output" -> output = value(name, attached);
-                case "--size" -> size(value(name, attached));
-                case "--maxdepth" -> maxDepth = whole(name, value(name, attached), 1, Integer.MAX_VALUE);
-                case "--samples" -> sampling = sampling(value(name, attached));
-                case "--region" -> region = region(value(name, attached));
-                case "--threads" -> threads = whole(name, value(name, attached), 1, MOST_THREADS);
-                case "--repeat" -> repeat = whole(name, value(name, attached), 1, Integer.MAX_VALUE);
-                case "--compare" -> reference = value(name, attached);
-                case "--diff" -> difference = value(name, attached);
-                case "--tolerance" -> tolerance = whole(name, value(name, attached), 0, 255);
-                case "--chart" -> chart = value(name, attached);
-                case "--chart-seconds" -> chartSeconds = whole(name, value(name, attached), 1, MOST_SECONDS);
-                case "--stats" -> stats = value(name, attached);
-                case "--quiet" -> quiet = flag(name, attached);
-                case "--verbose" -> verbose = flag(name, attached);
-                case "--check" -> check = flag(name, attached);
-                case "-h", "--help" -> help = flag(name, attached);
-                case "--version" -> version = flag(name, attached);
-                default -> throw new UsageException("unknown option '" + name + "'; see --help");
-            }
-        }
+    /** The value as it was given; null if it was not. */
+    String text(Option option) {
+        return values.get(option);
+    }
 
-        private static boolean flag(String name, String attached) throws UsageException {
-            if (attached != null) {
-                throw new UsageException(name + " takes no value, found '" + attached + "'");
-            }
-            return true;
-        }
+    int threads() {
+        return whole(Option.THREADS, Runtime.getRuntime().availableProcessors());
+    }
 
-        private String value(String name, String attached) throws UsageException {
-            String value = attached != null ? attached : args.hasNext() ? args.next() : "";
-            if (value.isEmpty()) {
-                throw new UsageException("expected a value after " + name + ", found none");
-            }
-            return value;
-        }
+    int chartSeconds() {
+        return whole(Option.CHART_SECONDS, DEFAULT_SECONDS);
+    }
 
-        private void size(String text) throws UsageException {
-            Matcher m = Pattern.compile(SIZE).matcher(text);
-            if (!m.matches()) {
-                throw new UsageException("expected --size to be like 640x480, found '" + text + "'");
-            }
-            width = whole("the width of --size", m.group(1), 1, Integer.MAX_VALUE);
-            height = whole("the height of --size", m.group(2), 1, Integer.MAX_VALUE);
-        }
+    /** The value of an option that is a whole number, or what it is if the option is not given. */
+    int whole(Option option, int otherwise) {
+        return has(option) ? Integer.parseInt(text(option)) : otherwise;
+    }
 
-        private static Region region(String text) throws UsageException {
-            Matcher m = Pattern.compile(REGION).matcher(text);
-            if (!m.matches()) {
-                throw new UsageException("expected --region to be like 0,120,640,60: column, row, width and height of a"
-                        + " part of the picture, found '" + text + "'");
-            }
-            return new Region(whole("the column of --region", m.group(1), 0, Integer.MAX_VALUE),
-                    whole("the row of --region", m.group(2), 0, Integer.MAX_VALUE),
-                    whole("the width of --region", m.group(3), 1, Integer.MAX_VALUE),
-                    whole("the height of --region", m.group(4), 1, Integer.MAX_VALUE));
+    private void requireWhole(Option option, int least, int most) throws UsageException {
+        if (has(option)) {
+            whole(option.flag(), text(option), least, most);
         }
+    }
 
-        private static Sampling sampling(String text) throws UsageException {
-            if (text.equals("auto")) {
-                return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);
-            }
-            if (!text.startsWith("auto:")) {
-                return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MOST));
-            }
-            Matcher m = Pattern.compile(ERROR).matcher(text);
-            double error = !m.matches() ? 0
-                    : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
-            if (!(error >= Sampling.Adaptive.LEAST && error < 1)) {
-                throw new UsageException("expected the error of --samples auto:E to be like 0.002 or 1/255, from 0.0001"
-                        + " to below 1, found '" + text.substring("auto:".length()) + "'");
-            }
-            return new Sampling.Adaptive(error);
+    private static int whole(String name, String text, int least, int most) throws UsageException {
+        long value = text.matches("\\+?\\d{1,10}") ? Long.parseLong(text) : -1;
+        if (value < least || value > most) {
+            throw new UsageException("expected " + name + " to be a whole number from " + least + " to " + most
+                    + ", found '" + text + "'");
         }
+        return (int) value;
+    }
 
-        private static int whole(String name, String text, int least, int most) throws UsageException {
-            long value = text.matches("\\+?\\d{1,10}") ? Long.parseLong(text) : -1;
-            if (value < least || value > most) {
-                throw new UsageException("expected " + name + " to be a whole number from " + least + " to " + most
-                        + ", found '" + text + "'");
-            }
-            return (int) value;
+    /** The scene with what the options override. */
+    Scene override(Scene scene) throws UsageException {
+        int[] size = numbers(Option.SIZE, SIZE, "like 640x480", 1, "width", "height");
+        Scene sized = size == null ? scene : scene.withSize(size[0], size[1]);
+        return sized.withMaxDepth(whole(Option.MAXDEPTH, scene.maxDepth()));
+    }
+
+    /** The part of a picture of this size that is wanted: all, if none is given. */
+    Region region(int width, int height) throws UsageException {
+        int[] r = region();
+        if (r == null) {
+            return Region.whole(width, height);
         }
+        long right = (long) r[0] + r[2], bottom = (long) r[1] + r[3];
+        if (right > width || bottom > height) {
+            throw new UsageException("expected --region to be inside the picture of " + width + "x" + height
+                    + ", found columns " + r[0] + " to " + (right - 1) + " and rows " + r[1] + " to " + (bottom - 1));
+        }
+        return new Region(r[0], r[1], r[2], r[3]);
+    }
+
+    private int[] region() throws UsageException {
+        int[] r = numbers(Option.REGION, REGION, "like 0,120,640,60: column, row, width and height of a part of the"
+                + " picture", 0, "column", "row", "width", "height");
+        for (int side = 2; r != null && side < 4; side++) {
+            whole("the " + (side == 2 ? "width" : "height") + " of --region", "" + r[side], 1, Integer.MAX_VALUE);
+        }
+        return r;
+    }
+
+    /** The numbers of a value of several; null if it is not given. */
+    private int[] numbers(Option option, Pattern pattern, String like, int least, String... names)
+            throws UsageException {
+        if (!has(option)) {
+            return null;
+        }
+        Matcher m = pattern.matcher(text(option));
+        if (!m.matches()) {
+            throw new UsageException("expected " + option.flag() + " to be " + like + ", found '" + text(option) + "'");
+        }
+        int[] numbers = new int[names.length];
+        for (int i = 0; i < names.length; i++) {
+            numbers[i] = whole("the " + names[i] + " of " + option.flag(), m.group(i + 1), least, Integer.MAX_VALUE);
+        }
+        return numbers;
+    }
+
+    Sampling sampling() throws UsageException {
+        String text = has(Option.SAMPLES) ? text(Option.SAMPLES) : "1";
+        if (text.equals("auto")) {
+            return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);
+        }
+        if (!text.startsWith("auto:")) {
+            return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MOST));
+        }
+        Matcher m = ERROR.matcher(text);
+        double error = !m.matches() ? 0
+                : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
+        if (!(error >= Sampling.Adaptive.LEAST && error < 1)) {
+            throw new UsageException("expected the error of --samples auto:E to be like 0.002 or 1/255, from 0.0001"
+                    + " to below 1, found '" + text.substring("auto:".length()) + "'");
+        }
+        return new Sampling.Adaptive(error);
     }
 }

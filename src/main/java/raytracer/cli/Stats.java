@@ -1,9 +1,11 @@
 package raytracer.cli;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import raytracer.files.Reference;
 import raytracer.image.Comparison;
 import raytracer.scene.Scene;
 import raytracer.scene.Shape;
@@ -17,36 +19,40 @@ final class Stats {
     private final String file;
     private final int threads;
 
+    final Stopwatch whole = new Stopwatch();
     double parseMillis;
     double buildMillis;
     final List<Double> renderMillis = new ArrayList<>();
     double writeMillis;
     RayCounts rays = RayCounts.ZERO;
-    private String compared = "";
 
     Stats(String file, int threads) {
         this.file = file;
         this.threads = threads;
     }
 
-    /** Takes in how the picture compares. */
-    void compared(Reference reference, Reference.Verdict verdict) {
+    /** Of two pictures that were compared. */
+    static String json(String file, Path reference, Reference.Verdict verdict, int width, int height) {
+        return String.format(Locale.ROOT, "{\n  \"scene\": %s,\n  \"width\": %d,\n  \"height\": %d%s\n}\n",
+                quoted(file), width, height, compared(reference, verdict));
+    }
+
+    /** How a picture compares; nothing if the verdict is null. */
+    private static String compared(Path reference, Reference.Verdict verdict) {
+        if (verdict == null) {
+            return "";
+        }
         Comparison c = verdict.comparison();
         String figures = c == null
                 ? "\"differing\": null, \"beyond\": null, \"most\": null, \"rmse\": null, \"x\": null, \"y\": null"
                 : String.format(Locale.ROOT,
                         "\"differing\": %d, \"beyond\": %d, \"most\": %d, \"rmse\": %.4f, \"x\": %d, \"y\": %d",
                         c.pixels(), c.beyond(), c.greatest(), c.rmse(), c.x(), c.y());
-        compared = ",\n  \"compare\": {\"reference\": " + quoted(reference.file().toString()) + ", " + figures + "}";
+        return ",\n  \"compare\": {\"reference\": " + quoted(reference.toString()) + ", " + figures + "}";
     }
 
-    /** Of two pictures that were compared. */
-    String json(int width, int height) {
-        return String.format(Locale.ROOT, "{\n  \"scene\": %s,\n  \"width\": %d,\n  \"height\": %d%s\n}\n",
-                quoted(file), width, height, compared);
-    }
-
-    String json(Scene scene) {
+    /** @param verdict null if the picture was not compared */
+    String json(Scene scene, Path reference, Reference.Verdict verdict) {
         String repeats = renderMillis.stream().map(Stats::millis).collect(Collectors.joining(", "));
         return String.format(Locale.ROOT, """
                 {
@@ -67,7 +73,7 @@ final class Stats {
                 """, quoted(file), scene.width(), scene.height(), threads, millis(parseMillis), millis(buildMillis),
                 repeats, millis(writeMillis), rays.primary(), rays.shadow(), rays.reflection(),
                 scene.mesh().triangles(), count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class),
-                scene.lights().size(), compared);
+                scene.lights().size(), compared(reference, verdict));
     }
 
     /** What a scene holds. */

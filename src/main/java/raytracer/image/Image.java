@@ -1,20 +1,30 @@
 package raytracer.image;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.RenderedImage;
 import raytracer.tracer.PixelSink;
 
-/** A picture of 8 bits a component. Threads may set different pixels at the same time. */
+/**
+ * A picture of 8 bits a component. Threads may set different pixels at the same time, and another may encode it
+ * meanwhile: that one waits for each row until all of it has been set.
+ */
 public final class Image implements PixelSink {
 
     private static final int COMPONENTS = 3;
 
     /** What a Java array of bytes can hold. */
-    private static final long MOST_BYTES = Integer.MAX_VALUE - 8;
+    private static final long MAX_BYTES = Integer.MAX_VALUE - 8;
 
     private final int width;
     private final int height;
     private final byte[] bytes;
-    private final Quantiser quantiser;
+
+    /** By row: how many pixels are still to be set. */
+    private final int[] missing;
+
+    private long undefinedPixels;
+    private boolean isLit;
+    private RuntimeException failure;
 
     /**
      * A black picture.
@@ -22,13 +32,14 @@ public final class Image implements PixelSink {
      * @throws IllegalArgumentException if it would be more than 2 GB
      */
     public Image(int width, int height) {
-        if (bytes(width, height) > MOST_BYTES) {
+        if (bytes(width, height) > MAX_BYTES) {
             throw new IllegalArgumentException(width + "x" + height + " is larger than a picture in memory can be");
         }
         this.width = width;
         this.height = height;
         bytes = new byte[COMPONENTS * width * height];
-        quantiser = new Quantiser(width);
+        missing = new int[height];
+        java.util.Arrays.fill(missing, width);
     }
 
     /** The memory that a picture takes; the greatest long if it is beyond that. */
@@ -47,7 +58,58 @@ public final class Image implements PixelSink {
 
     @Override
     public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
-        quantiser.set(bytes, x, y, columns, rows, red, green, blue);
+        int undefined = 0;
+        int anyBit = 0;
+        for (int i = 0; i < columns * rows; i++) {
+            int at = COMPONENTS * ((y + i / columns) * width + x + i % columns);
+            bytes[at] = Quantiser.quantise(red[i]);
+            bytes[at + 1] = Quantiser.quantise(green[i]);
+            bytes[at + 2] = Quantiser.quantise(blue[i]);
+            anyBit |= bytes[at] | bytes[at + 1] | bytes[at + 2];
+            undefined += Double.isNaN(red[i] + green[i] + blue[i]) ? 1 : 0;
+        }
+        complete(y, rows, columns, undefined, anyBit != 0);
+    }
+
+    private synchronized void complete(int y, int rows, int columns, int undefined, boolean lit) {
+        throwFailure();
+        undefinedPixels += undefined;
+        isLit |= lit;
+        boolean anyRow = false;
+        for (int row = y; row < y + rows; row++) {
+            missing[row] -= columns;
+            anyRow |= missing[row] <= 0;
+        }
+        if (anyRow) {
+            notifyAll();
+        }
+    }
+
+    /** Returns when all pixels of a row have been set. */
+    synchronized void awaitRow(int row) {
+        while (missing[row] > 0 && failure == null) {
+            try {
+                wait();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                failure = new IllegalStateException("interrupted", e);
+            }
+        }
+        throwFailure();
+    }
+
+    /** Lets all who set pixels or wait for them fail with this, as the other side has failed. */
+    public synchronized void fail(RuntimeException reason) {
+        if (failure == null) {
+            failure = reason;
+        }
+        notifyAll();
+    }
+
+    private void throwFailure() {
+        if (failure != null) {
+            throw failure;
+        }
     }
 
     /** A pixel as 0xRRGGBB. */
@@ -56,18 +118,23 @@ public final class Image implements PixelSink {
         return (bytes[i] & 255) << 16 | (bytes[i + 1] & 255) << 8 | bytes[i + 2] & 255;
     }
 
-    /** How many pixels were set to no number: none, unless the tracer has a fault. */
-    public long undefinedPixels() {
-        return quantiser.undefinedPixels();
+    /** How many pixels were set to no number (they are 0): none, unless the tracer has a fault. */
+    public synchronized long undefinedPixels() {
+        return undefinedPixels;
     }
 
-    /** Whether all pixels are black, when all have been set. */
-    public boolean isBlack() {
-        return quantiser.isBlack();
+    /** Whether all pixels that were set are black. */
+    public synchronized boolean isBlack() {
+        return !isLit;
     }
 
     /** The same bytes as the standard library's picture. */
     public BufferedImage toBufferedImage() {
-        return Rgb.picture(bytes, width, height);
+        return new BufferedImage(Rgb.colours(), Rgb.raster(bytes, width, height), false, null);
+    }
+
+    /** The picture for an encoder that asks for it row by row, while its pixels are still being set. */
+    public RenderedImage rowByRow() {
+        return new PendingRows(this, Rgb.raster(bytes, width, height));
     }
 }

@@ -1,9 +1,7 @@
 package raytracer.image;
 
-import java.awt.Point;
 import java.awt.Transparency;
 import java.awt.color.ColorSpace;
-import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.DataBufferByte;
@@ -13,8 +11,6 @@ import java.awt.image.WritableRaster;
 /** The standard library's view of bytes that are red, green and blue in turns. */
 final class Rgb {
 
-    private static final int COMPONENTS = 3;
-
     private Rgb() { }
 
     static ComponentColorModel colours() {
@@ -22,14 +18,10 @@ final class Rgb {
                 ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
     }
 
-    /** Rows of pixels without a copy; the first row has this number. */
-    static WritableRaster rows(byte[] bytes, int width, int rows, int first) {
+    /** Without a copy. */
+    static WritableRaster raster(byte[] bytes, int width, int height) {
         int[] offsets = {0, 1, 2};
-        return Raster.createInterleavedRaster(new DataBufferByte(bytes, bytes.length), width, rows, COMPONENTS * width,
-                COMPONENTS, offsets, new Point(0, first));
-    }
-
-    static BufferedImage picture(byte[] bytes, int width, int height) {
-        return new BufferedImage(colours(), rows(bytes, width, height, 0), false, null);
+        return Raster.createInterleavedRaster(
+                new DataBufferByte(bytes, bytes.length), width, height, 3 * width, 3, offsets, null);
     }
 }

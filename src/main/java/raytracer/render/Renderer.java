@@ -147,10 +147,7 @@ public final class Renderer {
     private RayCounts work(Sampler sampler) {
         PixelSink inRegion = new InRegion(tiles.region(), sink);
         for (long tile; (tile = tiles.next(1)) < tiles.count(); ) {
-            int row = tiles.top(tile) - tiles.region().y();
-            sink.awaitRoom(row);
             sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), inRegion);
-            sink.tileDone(row, tiles.pixels(tile));
             done.incrementAndGet();
         }
         return sampler.counts();

@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.files;
 
 import java.awt.image.RenderedImage;
 import java.io.BufferedOutputStream;
@@ -8,34 +8,35 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import raytracer.image.PngFile;
-import raytracer.parser.ParsedScene;
 
 /**
  * Where a picture goes.
  *
  * @param file null for standard output
  */
-record Destination(Path file, PrintStream standardOutput) {
+public record Destination(Path file, PrintStream standardOutput) {
+
+    /** In place of a file's name: standard input or output. */
+    public static final String STANDARD = "-";
 
     private static final String SUFFIX = ".png";
 
-    /** As the options say, or else the scene. */
-    static Destination of(Options options, ParsedScene scene, PrintStream out) throws UsageException, IOException {
-        if (Options.STANDARD.equals(options.output())) {
-            return new Destination(null, out);
-        }
-        return new Destination(
-                options.output() != null ? Reason.path(options.output()) : ofScene(scene), out);
+    /** Where a user says. */
+    public static Destination ofUser(String name, PrintStream out) throws IOException {
+        return new Destination(name.equals(STANDARD) ? null : Reason.path(name), out);
     }
 
-    /** A scene may be somebody else's: what it names is a picture, and stays in the working directory. */
-    private static Path ofScene(ParsedScene scene) throws UsageException, IOException {
-        String name = scene.scene().output();
-        if (!name.equals(Terminal.harmless(name))) {
-            throw refused(scene, "to have no control characters");
+    /**
+     * Where a scene says. It may be somebody else's: what it names is a picture, and stays in the working directory.
+     *
+     * @param place of the name in the scene, for messages
+     */
+    public static Destination ofScene(String name, String place, PrintStream out) throws UsageException, IOException {
+        if (name.codePoints().anyMatch(c -> Character.isISOControl(c) || Character.getType(c) == Character.FORMAT)) {
+            throw refused(name, place, "to have no control characters");
         }
         if (!name.toLowerCase(Locale.ROOT).endsWith(SUFFIX)) {
-            throw refused(scene, "to end in '" + SUFFIX + "'");
+            throw refused(name, place, "to end in '" + SUFFIX + "'");
         }
         Path file = Reason.path(name);
         boolean leaves = file.getRoot() != null;
@@ -44,17 +45,17 @@ record Destination(Path file, PrintStream standardOutput) {
         }
         Path folder = OutputFile.folder(OutputFile.place(file));
         if (leaves || Files.isDirectory(folder) && !folder.toRealPath().startsWith(Path.of(".").toRealPath())) {
-            throw refused(scene, "to be inside the working directory");
+            throw refused(name, place, "to be inside the working directory");
         }
-        return file;
+        return new Destination(file, out);
     }
 
-    private static UsageException refused(ParsedScene scene, String expectation) {
-        return new UsageException(scene.outputPlace(), "expected 'output' " + expectation + ", found '"
-                + scene.scene().output() + "'; -o FILE writes anywhere");
+    private static UsageException refused(String name, String place, String expectation) {
+        return new UsageException(
+                place, "expected 'output' " + expectation + ", found '" + name + "'; -o FILE writes anywhere");
     }
 
-    void write(RenderedImage picture) throws IOException {
+    public void write(RenderedImage picture) throws IOException {
         try {
             if (file != null) {
                 OutputFile.write(file, out -> PngFile.write(picture, out));
@@ -70,16 +71,16 @@ record Destination(Path file, PrintStream standardOutput) {
     }
 
     /** Where a picture of differences goes: NAME-diff.png beside NAME.png; null if there is no place beside it. */
-    Path ofDifferences() {
+    public Path ofDifferences() {
         return file == null ? Path.of("difference.png") : OutputFile.isDevice(file) ? null : ofDifferences(file);
     }
 
-    static Path ofDifferences(Path picture) {
+    public static Path ofDifferences(Path picture) {
         return picture.resolveSibling(baseName(picture, SUFFIX) + "-diff.png");
     }
 
     /** A file's name without a suffix, if it has that. */
-    static String baseName(Path file, String suffix) {
+    public static String baseName(Path file, String suffix) {
         String name = file.getFileName().toString();
         return name.toLowerCase(Locale.ROOT).endsWith(suffix) ? name.substring(0, name.length() - suffix.length()) : name;
     }

@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.files;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The files that one run of the program reads and writes: none that it writes may be another of them, by any name. */
-final class Places {
+public final class Places {
 
     private record Claim(Path file, String what, boolean isWritten) {
         @Override
@@ -19,12 +19,12 @@ final class Places {
     private final List<Claim> claims = new ArrayList<>();
 
     /** @param what the file is, for messages */
-    void read(Path file, String what) throws UsageException, IOException {
+    public void read(Path file, String what) throws UsageException, IOException {
         add(new Claim(file, what, false));
     }
 
     /** @param what the file is, for messages */
-    void write(Path file, String what) throws UsageException, IOException {
+    public void write(Path file, String what) throws UsageException, IOException {
         add(new Claim(file, what, true));
     }
 

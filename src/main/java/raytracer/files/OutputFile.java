@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.files;
 
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -16,13 +16,13 @@ import java.nio.file.attribute.PosixFilePermission;
  * Writes files so that one of a name is at all times either the old one or the whole new one: to a temporary file
  * beside it, which is moved there. If the program is interrupted, the temporary file goes with it.
  */
-final class OutputFile {
+public final class OutputFile {
 
     /** More than any sensible chain of symbolic links has. */
     private static final int MOST_LINKS = 40;
 
     /** What a file is to hold. */
-    interface Content {
+    public interface Content {
         void writeTo(OutputStream out) throws IOException;
     }
 
@@ -34,7 +34,7 @@ final class OutputFile {
     }
 
     /** Sees to it that what is yet to be made is not made in vain. */
-    static void require(Path file) throws IOException {
+    public static void require(Path file) throws IOException {
         if (Files.isDirectory(file)) {
             throw new IOException("cannot write " + file + ": it is a directory");
         }
@@ -59,7 +59,7 @@ final class OutputFile {
      *
      * @throws IOException if it cannot; then what was there is unchanged, and no other file is left
      */
-    static void write(Path file, Content content) throws IOException {
+    public static void write(Path file, Content content) throws IOException {
         if (isDevice(file)) {
             try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file, StandardOpenOption.WRITE))) {
                 content.writeTo(out);

@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.files;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -17,21 +17,22 @@ import raytracer.image.PngFile;
  * @param picture    null if it has another size
  * @param difference where a picture of the differences goes; null if nowhere
  */
-record Reference(Path file, int width, int height, BufferedImage picture, int tolerance, Path difference) {
+public record Reference(Path file, int width, int height, BufferedImage picture, int tolerance, Path difference) {
 
     /**
      * What came of it.
      *
+     * @param isPassed   whether nothing differs by more than the tolerance
      * @param comparison null if the sizes differ
      */
-    record Verdict(String words, int status, Comparison comparison) { }
+    public record Verdict(String words, boolean isPassed, Comparison comparison) { }
 
     /**
      * Where the reference of a scene or picture is: what --compare names, or in that folder NAME.png.
      *
      * @param named what --compare names
      */
-    static Path of(String named, Path subject) throws IOException {
+    public static Path of(String named, Path subject) throws IOException {
         Path place = Reason.path(named);
         if (!Files.isDirectory(place)) {
             return place;
@@ -41,7 +42,7 @@ record Reference(Path file, int width, int height, BufferedImage picture, int to
     }
 
     /** @param width of the picture that is compared; pixels of another size are not read */
-    static Reference read(Path file, int width, int height, int tolerance, Path difference) throws IOException {
+    public static Reference read(Path file, int width, int height, int tolerance, Path difference) throws IOException {
         try (InputStream in = Files.newInputStream(file); PictureFile picture = PictureFile.open(in)) {
             if (picture == null) {
                 throw new IOException("it is no PNG, nor another kind that Java reads");
@@ -57,14 +58,14 @@ record Reference(Path file, int width, int height, BufferedImage picture, int to
     }
 
     /** Says how a picture differs, and shows where in a picture of its own. */
-    Verdict compare(BufferedImage actual) throws IOException {
+    public Verdict compare(BufferedImage actual) throws IOException {
         if (picture == null) {
             return new Verdict("differs from " + file + " in size: " + actual.getWidth() + "x" + actual.getHeight()
-                    + ", and that is " + width + "x" + height, Main.DIFFERS, null);
+                    + ", and that is " + width + "x" + height, false, null);
         }
         Comparison c = Comparison.of(actual, picture, tolerance);
         if (c.pixels() == 0) {
-            return new Verdict("equals " + file + " in every pixel", Main.DONE, c);
+            return new Verdict("equals " + file + " in every pixel", true, c);
         }
         String words = String.format(Locale.ROOT, "%d of %d pixels differ from %s, by at most %d of 255 at (%d, %d);"
                         + " RMSE %.4f of 255; columns %d to %d, rows %d to %d; ",
@@ -77,7 +78,7 @@ record Reference(Path file, int width, int height, BufferedImage picture, int to
             show(c.difference());
             words += "see " + difference + "; ";
         }
-        return new Verdict(words.substring(0, words.length() - 2), c.beyond() == 0 ? Main.DONE : Main.DIFFERS, c);
+        return new Verdict(words.substring(0, words.length() - 2), c.beyond() == 0, c);
     }
 
     private void show(BufferedImage differences) throws IOException {

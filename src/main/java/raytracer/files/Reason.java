@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.files;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
@@ -9,11 +9,11 @@ import java.nio.file.Path;
 import javax.imageio.IIOException;
 
 /** Why a file operation failed, in words; the library's messages for some are just the file's name. */
-final class Reason {
+public final class Reason {
 
     private Reason() { }
 
-    static String of(IOException e) {
+    public static String of(IOException e) {
         if (e instanceof NoSuchFileException) {
             return "no such file or directory";
         }
@@ -33,14 +33,14 @@ final class Reason {
      * What helps if a name or the working directory has characters that Java cannot express in this locale; else
      * nothing.
      */
-    static String ofEncoding(String name) {
+    public static String ofEncoding(String name) {
         String names = name + System.getProperty("user.dir");
         boolean lost = names.chars().anyMatch(c -> c == '\uFFFD' || c == '?');
         return lost ? "; Java cannot express its name or its folder's in this locale: run it with LC_ALL=C.UTF-8" : "";
     }
 
     /** A file by its name. */
-    static Path path(String name) throws IOException {
+    public static Path path(String name) throws IOException {
         try {
             return Path.of(name);
         } catch (InvalidPathException e) {

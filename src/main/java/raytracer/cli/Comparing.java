@@ -1,0 +1,36 @@
+package raytracer.cli;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import raytracer.files.Reference;
+
+/** Compares a picture with a reference, which has been read before the picture is made, and says how they differ. */
+final class Comparing {
+
+    private final Outputs outputs;
+    private final Reference reference;
+    private final String prefix;
+    private final Terminal terminal;
+
+    Comparing(Options options, Outputs outputs, int width, int height, Terminal terminal) throws IOException {
+        this.outputs = outputs;
+        this.terminal = terminal;
+        prefix = options.scenes().size() > 1 ? outputs.input().name() + ": " : "";
+        reference = Reference.read(
+                outputs.reference(), width, height, options.whole(Option.TOLERANCE, 0), outputs.difference());
+    }
+
+    Reference.Verdict compare(BufferedImage actual) throws IOException {
+        Reference.Verdict verdict = reference.compare(actual);
+        if (outputs.isPictureOnStandardOutput()) {
+            terminal.tell(prefix + verdict.words());
+        } else {
+            terminal.answer(prefix + verdict.words());
+        }
+        return verdict;
+    }
+
+    static int status(Reference.Verdict verdict) {
+        return verdict.isPassed() ? Main.DONE : Main.DIFFERS;
+    }
+}

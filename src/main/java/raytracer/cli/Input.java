@@ -1,0 +1,55 @@
+package raytracer.cli;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import raytracer.files.Destination;
+import raytracer.files.Reason;
+import raytracer.image.PictureFile;
+import raytracer.parser.ParsedScene;
+import raytracer.parser.SceneException;
+import raytracer.parser.SceneParser;
+
+/** A scene as the command line names it: a file, or standard input. */
+record Input(String file) {
+
+    /** What messages call it. */
+    String name() {
+        return isStandard() ? "<stdin>" : file;
+    }
+
+    boolean isStandard() {
+        return file.equals(Destination.STANDARD);
+    }
+
+    Path path() throws IOException {
+        return Reason.path(file);
+    }
+
+    /** Whether it is no scene but a picture. */
+    boolean isPicture() throws IOException {
+        if (isStandard() || !Files.isRegularFile(path())) {
+            return false;
+        }
+        try (InputStream in = Files.newInputStream(path())) {
+            return PictureFile.isPng(in.readNBytes(8));
+        }
+    }
+
+    ParsedScene parse() throws SceneException, IOException {
+        if (Files.isDirectory(path())) {
+            throw new IOException("expected a scene file, found a directory");
+        }
+        try {
+            if (isStandard()) {
+                return SceneParser.parse(name(), System.in);
+            }
+            try (InputStream in = Files.newInputStream(path())) {
+                return SceneParser.parse(name(), in);
+            }
+        } catch (IOException e) {
+            throw new IOException("cannot read the scene: " + Reason.of(e) + Reason.ofEncoding(file), e);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package raytracer.cli;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import raytracer.files.Destination;
+import raytracer.files.OutputFile;
+import raytracer.files.Places;
+import raytracer.files.Reason;
+import raytracer.files.Reference;
+import raytracer.files.UsageException;
+import raytracer.image.Image;
+import raytracer.parser.ParsedScene;
+
+/**
+ * The files that one job reads and writes besides its scene.
+ *
+ * @param destination of the picture; null if none is rendered
+ * @param reference   what the picture is compared with; null if with none
+ * @param difference  where a picture of the differences goes; null if nowhere
+ * @param stats       where figures go; null if nowhere
+ */
+record Outputs(Input input, Destination destination, Path reference, Path difference, Path stats) {
+
+    /** @param scene null if the input is a picture */
+    static Outputs of(Options options, Input input, ParsedScene scene, Terminal terminal)
+            throws UsageException, IOException {
+        Destination destination = scene == null ? null
+                : options.has(Option.OUTPUT) ? Destination.ofUser(options.text(Option.OUTPUT), terminal.out())
+                : Destination.ofScene(scene.scene().output(), scene.outputPlace(), terminal.out());
+        Path reference = options.has(Option.COMPARE) ? Reference.of(options.text(Option.COMPARE), input.path()) : null;
+        Path difference = reference == null ? null : options.has(Option.DIFF) ? Reason.path(options.text(Option.DIFF))
+                : destination != null ? destination.ofDifferences() : Destination.ofDifferences(input.path());
+        Path stats = options.has(Option.STATS) ? Reason.path(options.text(Option.STATS)) : null;
+        return new Outputs(input, destination, reference, difference, stats);
+    }
+
+    /** @throws UsageException if one of the files is taken */
+    void claim(Places places) throws UsageException, IOException {
+        places.read(input.path(), "the scene");
+        if (destination != null && destination.file() != null) {
+            places.write(destination.file(), "the picture of " + input.name());
+        }
+        if (reference != null) {
+            places.read(reference, "the reference");
+        }
+        if (difference != null) {
+            places.write(difference, "the difference picture of " + input.name());
+        }
+        if (stats != null) {
+            places.write(stats, "the statistics");
+        }
+    }
+
+    /** Sees to it that rendering is not in vain. */
+    void require() throws IOException {
+        if (destination != null && destination.file() != null) {
+            OutputFile.require(destination.file());
+        }
+        if (difference != null) {
+            OutputFile.require(difference);
+        }
+        if (stats != null) {
+            OutputFile.require(stats);
+        }
+    }
+
+    /** Whether words on standard output would get into the picture. */
+    boolean isPictureOnStandardOutput() {
+        return destination != null && destination.file() == null;
+    }
+
+    Image newImage(int width, int height) throws IOException {
+        try {
+            return new Image(width, height);
+        } catch (IllegalArgumentException | OutOfMemoryError e) {
+            throw new IOException("a picture of " + width + "x" + height + " pixels is too large: it needs "
+                    + (Image.bytes(width, height) >> 20) + " MB of at most 2047, and Java may use "
+                    + (Runtime.getRuntime().maxMemory() >> 20) + " MB; --region renders a part of it, and"
+                    + " 'java -Xmx...m -jar ...' allows more", e);
+        }
+    }
+
+    void writeStats(String json) throws IOException {
+        if (stats == null) {
+            return;
+        }
+        try {
+            OutputFile.write(stats, out -> out.write(json.getBytes(StandardCharsets.UTF_8)));
+        } catch (IOException e) {
+            throw new IOException("cannot write " + stats + ": " + Reason.of(e), e);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+package raytracer.cli;
+
+import java.io.IOException;
+import raytracer.files.Encoding;
+import raytracer.files.Reference;
+import raytracer.files.UsageException;
+import raytracer.image.Image;
+import raytracer.parser.ParsedScene;
+import raytracer.render.Region;
+import raytracer.render.Renderer;
+import raytracer.render.Sampling;
+import raytracer.scene.Scene;
+import raytracer.tracer.Tracer;
+
+/** Renders a scene into its file, compares it if that is asked for, and says how it went. */
+final class Rendering {
+
+    private final Options options;
+    private final Scene scene;
+    private final Outputs outputs;
+    private final Stats stats;
+    private final Terminal terminal;
+    private final Region region;
+    private final Sampling sampling;
+
+    Rendering(Options options, Scene scene, Outputs outputs, Stats stats, Terminal terminal) throws UsageException {
+        this.options = options;
+        this.scene = scene;
+        this.outputs = outputs;
+        this.stats = stats;
+        this.terminal = terminal;
+        region = options.region(scene.width(), scene.height());
+        sampling = options.sampling();
+    }
+
+    /** Returns the exit status. */
+    int run(ParsedScene parsed) throws IOException {
+        Comparing comparing = outputs.reference() == null ? null
+                : new Comparing(options, outputs, region.width(), region.height(), terminal);
+        Image image = outputs.newImage(region.width(), region.height());
+        Encoding encoding = new Encoding(image, outputs.destination());
+        render(image, encoding);
+        if (image.undefinedPixels() > 0) {
+            terminal.tell(outputs.input().name() + ": a fault in raytracer, please report it: "
+                    + image.undefinedPixels() + " pixels have no colour");
+            return Main.FAILED;
+        }
+        tellHowItWent();
+        if (image.isBlack() && !options.has(Option.REGION) && !parsed.isKnownToBeBlack()) {
+            terminal.tell(outputs.input().name() + ": warning: the picture is black: " + BlackPicture.reason(parsed));
+        }
+        Reference.Verdict verdict = comparing == null ? null : comparing.compare(image.toBufferedImage());
+        outputs.writeStats(stats.json(scene, outputs.reference(), verdict));
+        return verdict == null ? Main.DONE : Comparing.status(verdict);
+    }
+
+    private void render(Image image, Encoding encoding) throws IOException {
+        try {
+            trace(image);
+        } catch (RuntimeException | Error e) {
+            image.fail(new IllegalStateException("the picture cannot be rendered", e));
+            encoding.throwCause();
+            throw e;
+        }
+        Stopwatch writing = new Stopwatch();
+        encoding.await();
+        stats.writeMillis = writing.millis();
+    }
+
+    private void trace(Image image) {
+        Stopwatch building = new Stopwatch();
+        Tracer tracer = Tracer.compile(scene, options.threads());
+        stats.buildMillis = building.millis();
+        if (options.has(Option.VERBOSE)) {
+            terminal.tell(stats.sceneInWords(scene, tracer));
+        }
+        for (int i = 0; i < options.whole(Option.REPEAT, 1); i++) {
+            Stopwatch rendering = new Stopwatch();
+            Renderer renderer = new Renderer(tracer, sampling, options.threads(), region, image);
+            stats.rays = ProgressBar.during(
+                    renderer::render, terminal.err(), options.has(Option.QUIET), renderer::progress);
+            stats.renderMillis.add(rendering.millis());
+        }
+    }
+
+    private void tellHowItWent() {
+        if (options.has(Option.VERBOSE)) {
+            terminal.tell(stats.timesInWords());
+        }
+        if (!options.has(Option.QUIET)) {
+            terminal.tell(outputs.destination() + " " + region.width() + "x" + region.height() + " in "
+                    + Stats.tenths(stats.whole.millis() / 1e3) + " s, " + stats.raysInWords());
+        }
+    }
+}
