@@ -35,10 +35,10 @@ final class ChartJob {
 
     /** The part of the time for the picture to compare with, and the least and most samples of each of its halves. */
     private static final double REFERENCE_PART = 0.4;
-    private static final int LEAST_SAMPLES = 64;
-    private static final int MOST_SAMPLES = 1024;
+    private static final int MIN_SAMPLES = 64;
+    private static final int MAX_SAMPLES = 1024;
 
-    private static final int MOST_ROUNDS = 15;
+    private static final int MAX_ROUNDS = 15;
 
     private final Scene scene;
     private final Options options;
@@ -151,7 +151,7 @@ final class ChartJob {
     /** Two pictures of which each is good to compare with; how they differ tells how good. */
     private Canvas[] references(double millisPerSample) {
         double affordable = REFERENCE_PART * 1e3 * options.chartSeconds() / 2 / millisPerSample;
-        int count = (int) Math.max(LEAST_SAMPLES, Math.min(MOST_SAMPLES, affordable));
+        int count = (int) Math.max(MIN_SAMPLES, Math.min(MAX_SAMPLES, affordable));
         Canvas[] halves = new Canvas[2];
         for (int half = 0; half < 2; half++) {
             halves[half] = render(tracer, new Sampling.Sequence(count, half * 0x5BD1E995), "half of the reference");
@@ -161,7 +161,7 @@ final class ChartJob {
 
     /** In turns, so that what disturbs the machine disturbs all; until the time is up. */
     private void measure(List<Setting> settings, Canvas reference) {
-        for (int round = 0; round < MOST_ROUNDS; round++) {
+        for (int round = 0; round < MAX_ROUNDS; round++) {
             for (Setting setting : settings) {
                 if (round > 0 && elapsed.millis() > 1e3 * options.chartSeconds()) {
                     return;

@@ -150,16 +150,16 @@ final class Options {
         return has(option) ? Integer.parseInt(text(option)) : otherwise;
     }
 
-    private void requireWhole(Option option, int least, int most) throws UsageException {
+    private void requireWhole(Option option, int min, int max) throws UsageException {
         if (has(option)) {
-            whole(option.flag(), text(option), least, most);
+            whole(option.flag(), text(option), min, max);
         }
     }
 
-    private static int whole(String name, String text, int least, int most) throws UsageException {
+    private static int whole(String name, String text, int min, int max) throws UsageException {
         long value = text.matches("\\+?\\d{1,10}") ? Long.parseLong(text) : -1;
-        if (value < least || value > most) {
-            throw new UsageException("expected " + name + " to be a whole number from " + least + " to " + most
+        if (value < min || value > max) {
+            throw new UsageException("expected " + name + " to be a whole number from " + min + " to " + max
                     + ", found '" + text + "'");
         }
         return (int) value;
@@ -196,7 +196,7 @@ final class Options {
     }
 
     /** The numbers of a value of several; null if it is not given. */
-    private int[] numbers(Option option, Pattern pattern, String like, int least, String... names)
+    private int[] numbers(Option option, Pattern pattern, String like, int min, String... names)
             throws UsageException {
         if (!has(option)) {
             return null;
@@ -207,7 +207,7 @@ final class Options {
         }
         int[] numbers = new int[names.length];
         for (int i = 0; i < names.length; i++) {
-            numbers[i] = whole("the " + names[i] + " of " + option.flag(), m.group(i + 1), least, Integer.MAX_VALUE);
+            numbers[i] = whole("the " + names[i] + " of " + option.flag(), m.group(i + 1), min, Integer.MAX_VALUE);
         }
         return numbers;
     }
@@ -218,12 +218,12 @@ final class Options {
             return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);
         }
         if (!text.startsWith("auto:")) {
-            return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MOST));
+            return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MAX));
         }
         Matcher m = ERROR.matcher(text);
         double error = !m.matches() ? 0
                 : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
-        if (!(error >= Sampling.Adaptive.LEAST && error < 1)) {
+        if (!(error >= Sampling.Adaptive.MIN && error < 1)) {
             throw new UsageException("expected the error of --samples auto:E to be like 0.002 or 1/255, from 0.0001"
                     + " to below 1, found '" + text.substring("auto:".length()) + "'");
         }

@@ -47,7 +47,7 @@ final class Stats {
                 ? "\"differing\": null, \"beyond\": null, \"most\": null, \"rmse\": null, \"x\": null, \"y\": null"
                 : String.format(Locale.ROOT,
                         "\"differing\": %d, \"beyond\": %d, \"most\": %d, \"rmse\": %.4f, \"x\": %d, \"y\": %d",
-                        c.pixels(), c.beyond(), c.greatest(), c.rmse(), c.x(), c.y());
+                        c.pixels(), c.beyond(), c.max(), c.rmse(), c.x(), c.y());
         return ",\n  \"compare\": {\"reference\": " + quoted(reference.toString()) + ", " + figures + "}";
     }
 
@@ -93,8 +93,8 @@ final class Stats {
         StringBuilder words = new StringBuilder(
                 String.format(Locale.ROOT, "parsed in %.0f ms: %s%n", parseMillis, inWords(scene)));
         for (TreeFacts tree : tracer.trees()) {
-            if (tree.things() > 0) {
-                words.append(String.format(Locale.ROOT, "tree of %d %s: %s, depth %d, %.1f MB%n", tree.things(),
+            if (tree.primitives() > 0) {
+                words.append(String.format(Locale.ROOT, "tree of %d %s: %s, depth %d, %.1f MB%n", tree.primitives(),
                         tree.kind(), counted(tree.nodes(), "node"), tree.depth(), tree.bytes() / 1e6));
             }
             if (tree.oversized() > 0) {

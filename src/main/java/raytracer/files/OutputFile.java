@@ -19,7 +19,7 @@ import java.nio.file.attribute.PosixFilePermission;
 public final class OutputFile {
 
     /** More than any sensible chain of symbolic links has. */
-    private static final int MOST_LINKS = 40;
+    private static final int MAX_LINKS = 40;
 
     /** What a file is to hold. */
     public interface Content {
@@ -80,7 +80,7 @@ public final class OutputFile {
     static Path place(Path file) throws IOException {
         Path place = file;
         for (int links = 0; Files.isSymbolicLink(place); links++) {
-            if (links == MOST_LINKS) {
+            if (links == MAX_LINKS) {
                 throw new IOException("too many symbolic links");
             }
             place = place.resolveSibling(Files.readSymbolicLink(place));

@@ -69,7 +69,7 @@ public record Reference(Path file, int width, int height, BufferedImage picture,
         }
         String words = String.format(Locale.ROOT, "%d of %d pixels differ from %s, by at most %d of 255 at (%d, %d);"
                         + " RMSE %.4f of 255; columns %d to %d, rows %d to %d; ",
-                c.pixels(), (long) width * height, file, c.greatest(), c.x(), c.y(), c.rmse(), c.left(), c.right(),
+                c.pixels(), (long) width * height, file, c.max(), c.x(), c.y(), c.rmse(), c.left(), c.right(),
                 c.top(), c.bottom());
         if (tolerance > 0) {
             words += (c.beyond() == 0 ? "none" : c.beyond()) + " by more than the tolerance of " + tolerance + "; ";

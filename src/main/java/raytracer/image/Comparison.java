@@ -7,12 +7,12 @@ import java.awt.image.BufferedImage;
  *
  * @param pixels     how many pixels differ in any component
  * @param beyond     how many differ by more than the tolerance
- * @param greatest   the greatest difference of a component, of 255, at the pixel {@code (x, y)}
+ * @param max        the greatest difference of a component, of 255, at the pixel {@code (x, y)}
  * @param rmse       the root of the mean square of all components' differences, of 255
  * @param left       the box around the pixels that differ: {@code left <= x <= right}, {@code top <= y <= bottom}
  * @param difference where they differ beyond the tolerance
  */
-public record Comparison(long pixels, long beyond, int greatest, int x, int y, double rmse,
+public record Comparison(long pixels, long beyond, int max, int x, int y, double rmse,
         int left, int top, int right, int bottom, BufferedImage difference) {
 
     /** Around each pixel beyond the tolerance, so that a single one is found. */
@@ -28,7 +28,7 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
         int[] most = new int[w];
         BufferedImage difference = new BufferedImage(w, h, BufferedImage.TYPE_INT_RGB);
         long pixels = 0, beyond = 0, squares = 0;
-        int greatest = 0, x = 0, y = 0, left = w, top = h, right = -1, bottom = -1;
+        int max = 0, x = 0, y = 0, left = w, top = h, right = -1, bottom = -1;
         for (int row = 0; row < h; row++) {
             for (int column = 0; column < w; column++) {
                 int a = actual.getRGB(column, row), b = expected.getRGB(column, row);
@@ -42,8 +42,8 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
                     continue;
                 }
                 pixels++;
-                if (most[column] > greatest) {
-                    greatest = most[column];
+                if (most[column] > max) {
+                    max = most[column];
                     x = column;
                     y = row;
                 }
@@ -54,7 +54,7 @@ public record Comparison(long pixels, long beyond, int greatest, int x, int y, d
             }
             beyond += mark(difference, row, most, tolerance);
         }
-        return new Comparison(pixels, beyond, greatest, x, y, Math.sqrt(squares / (3.0 * w * h)),
+        return new Comparison(pixels, beyond, max, x, y, Math.sqrt(squares / (3.0 * w * h)),
                 left, top, right, bottom, difference);
     }
 

@@ -75,19 +75,19 @@ public final class PictureFile implements Closeable {
     }
 
     private static int[] samples(Raster raster, int bits, int y) {
-        int bands = raster.getNumBands(), most = (1 << bits) - 1;
+        int bands = raster.getNumBands(), max = (1 << bits) - 1;
         int green = bands >= 3 ? 1 : 0, blue = bands >= 3 ? 2 : 0;
         int[] all = raster.getPixels(0, y, raster.getWidth(), 1, (int[]) null);
         int[] row = new int[raster.getWidth()];
         for (int x = 0; x < row.length; x++) {
             int at = bands * x;
-            row[x] = to8Bits(all[at], most) << 16 | to8Bits(all[at + green], most) << 8 | to8Bits(all[at + blue], most);
+            row[x] = to8Bits(all[at], max) << 16 | to8Bits(all[at + green], max) << 8 | to8Bits(all[at + blue], max);
         }
         return row;
     }
 
-    private static int to8Bits(int sample, int most) {
-        return (255 * sample + most / 2) / most;
+    private static int to8Bits(int sample, int max) {
+        return (255 * sample + max / 2) / max;
     }
 
     @Override

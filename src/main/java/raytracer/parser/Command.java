@@ -25,7 +25,7 @@ enum Command {
     PLANE("x y z nx ny nz");
 
     /** Typing errors that a suggestion forgives. */
-    private static final int MOST_EDITS = 2;
+    private static final int MAX_EDITS = 2;
 
     /** A power of two, and several times the number of commands, so that hardly two meet in one place. */
     private static final int PLACES = 128;
@@ -76,21 +76,21 @@ enum Command {
     /** {@code ; did you mean 'sphere'?} for a word that is close to a keyword, else nothing. */
     static String suggestion(String word) {
         String best = null;
-        int least = MOST_EDITS + 1;
+        int min = MAX_EDITS + 1;
         for (Command command : values()) {
             int edits = edits(word.toLowerCase(Locale.ROOT), command.keyword);
-            if (edits < least && edits < command.keyword.length() - 1) {
-                least = edits;
+            if (edits < min && edits < command.keyword.length() - 1) {
+                min = edits;
                 best = command.keyword;
             }
         }
         return best == null ? "" : "; did you mean '" + best + "'?";
     }
 
-    /** The Levenshtein distance, or more than {@link #MOST_EDITS} if the lengths alone say so. */
+    /** The Levenshtein distance, or more than {@link #MAX_EDITS} if the lengths alone say so. */
     private static int edits(String a, String b) {
-        if (Math.abs(a.length() - b.length()) > MOST_EDITS) {
-            return MOST_EDITS + 1;
+        if (Math.abs(a.length() - b.length()) > MAX_EDITS) {
+            return MAX_EDITS + 1;
         }
         int[] above = new int[b.length() + 1];
         for (int j = 0; j <= b.length(); j++) {

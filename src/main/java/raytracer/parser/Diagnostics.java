@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 final class Diagnostics {
 
     /** As many errors as a person wants to read at once. */
-    static final int MOST_ERRORS = 20;
+    static final int MAX_ERRORS = 20;
 
     /** A file with more errors is none of ours. */
     private static final int ENOUGH = 1000;
@@ -55,7 +55,7 @@ final class Diagnostics {
      * @param to   behind its end there
      */
     void error(int from, int to, String message) {
-        if (++errorCount <= MOST_ERRORS) {
+        if (++errorCount <= MAX_ERRORS) {
             int column = column(from);
             errors.add(new Diagnostic(file, reader.number(), column, message,
                     excerpt(text(reader.start(), reader.end()), column - 1, characters(from, to))));
@@ -69,7 +69,7 @@ final class Diagnostics {
 
     /** An error of the file as a whole: its place is the beginning. */
     void errorOfFile(String message) {
-        if (++errorCount <= MOST_ERRORS) {
+        if (++errorCount <= MAX_ERRORS) {
             errors.add(new Diagnostic(file, 1, 1, message, ""));
         }
     }
@@ -83,7 +83,7 @@ final class Diagnostics {
         }
         String hint = Hints.of(word);
         String advice = hint != null ? "; " + hint : Command.suggestion(word);
-        int index = errors.size() < MOST_ERRORS ? errors.size() : -1;
+        int index = errors.size() < MAX_ERRORS ? errors.size() : -1;
         unknown.put(word, new Unknown(advice, index));
         error(from, to, "expected a command, found " + quote(from, to));
     }

@@ -20,20 +20,20 @@ final class Operands {
 
     private static final Rejected REJECTED = new Rejected();
 
-    private static final int MOST = 10;
+    private static final int MAX = 10;
 
     /**
      * Squares and products of two lengths must neither overflow nor lose their last bits, so coordinates are no greater
      * than this, and what has a size is no smaller than one part in so many.
      */
-    private static final double GREATEST = 1e150;
-    private static final double LEAST = 1 / GREATEST;
+    private static final double MAX_LENGTH = 1e150;
+    private static final double MIN_LENGTH = 1 / MAX_LENGTH;
 
     private final Line line;
     private final Diagnostics diagnostics;
-    private final double[] values = new double[MOST];
-    private final int[] from = new int[MOST];
-    private final int[] to = new int[MOST];
+    private final double[] values = new double[MAX];
+    private final int[] from = new int[MAX];
+    private final int[] to = new int[MAX];
     private int keywordFrom;
     private int keywordTo;
     private String keyword;
@@ -109,7 +109,7 @@ final class Operands {
     }
 
     double coordinate(int i) throws Rejected {
-        if (!(Math.abs(values[i]) <= GREATEST)) {
+        if (!(Math.abs(values[i]) <= MAX_LENGTH)) {
             throw reject(i, "to be from -1e150 to 1e150");
         }
         return values[i];
@@ -119,7 +119,7 @@ final class Operands {
         if (!(values[i] > 0)) {
             throw reject(i, "to be more than 0");
         }
-        if (!(values[i] >= LEAST && values[i] <= GREATEST)) {
+        if (!(values[i] >= MIN_LENGTH && values[i] <= MAX_LENGTH)) {
             throw reject(i, "to be from 1e-150 to 1e150");
         }
         return values[i];
@@ -127,13 +127,13 @@ final class Operands {
 
     /** Whether a displacement is so short that squares would lose it. */
     static boolean isTooShort(Vector v) {
-        return Math.max(Math.abs(v.x()), Math.max(Math.abs(v.y()), Math.abs(v.z()))) < LEAST;
+        return Math.max(Math.abs(v.x()), Math.max(Math.abs(v.y()), Math.abs(v.z()))) < MIN_LENGTH;
     }
 
     /** A whole number within these bounds. */
-    int whole(int i, int least, int most) throws Rejected {
-        if (!isWhole(values[i], least, most)) {
-            throw reject(i, "to be a whole number from " + least + " to " + most);
+    int whole(int i, int min, int max) throws Rejected {
+        if (!isWhole(values[i], min, max)) {
+            throw reject(i, "to be a whole number from " + min + " to " + max);
         }
         return (int) values[i];
     }
@@ -147,8 +147,8 @@ final class Operands {
         return (int) values[i];
     }
 
-    private static boolean isWhole(double value, int least, int most) {
-        return value >= least && value <= most && value == Math.rint(value);
+    private static boolean isWhole(double value, int min, int max) {
+        return value >= min && value <= max && value == Math.rint(value);
     }
 
     private Vector vector(int i) {

@@ -23,7 +23,7 @@ public final class SceneParser {
     private static final String DEFAULT_OUTPUT = "output.png";
 
     /** The longest side or count that an int holds. */
-    private static final int MOST = Integer.MAX_VALUE;
+    private static final int MAX = Integer.MAX_VALUE;
 
     private final LineReader reader;
     private final Line line;
@@ -172,7 +172,7 @@ public final class SceneParser {
             case SIZE, CAMERA -> lineOf.putIfAbsent(command, reader.number());
             case MAXVERTS -> {
                 lineOf.putIfAbsent(command, reader.number());
-                maxVertices = MOST;
+                maxVertices = MAX;
             }
             case VERTEX -> shapes.addVertex(0, 0, 0);
             default -> { }
@@ -189,8 +189,8 @@ public final class SceneParser {
 
     private void size(Operands o) throws Operands.Rejected {
         once(Command.SIZE, o);
-        width = o.whole(0, 1, MOST);
-        height = o.whole(1, 1, MOST);
+        width = o.whole(0, 1, MAX);
+        height = o.whole(1, 1, MAX);
     }
 
     private void camera(Operands o) throws Operands.Rejected {
@@ -219,18 +219,18 @@ public final class SceneParser {
 
     private void maxDepth(Operands o) throws Operands.Rejected {
         once(Command.MAXDEPTH, o);
-        maxDepth = o.whole(0, 1, MOST);
+        maxDepth = o.whole(0, 1, MAX);
     }
 
     private void maxVertices(Operands o) throws Operands.Rejected {
         once(Command.MAXVERTS, o);
-        maxVertices = o.whole(0, 0, MOST);
+        maxVertices = o.whole(0, 0, MAX);
     }
 
     private void vertex(Operands o) throws Operands.Rejected {
         if (shapes.vertices() >= maxVertices) {
             if (!lineOf.containsKey(Command.MAXVERTS)) {
-                maxVertices = MOST;
+                maxVertices = MAX;
                 throw o.rejectCommand("expected 'maxverts' before the first 'vertex', found none");
             }
             throw o.rejectCommand("expected at most " + maxVertices + " vertices ('maxverts' on line "

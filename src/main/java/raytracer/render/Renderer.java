@@ -25,8 +25,8 @@ public final class Renderer {
      * that there are enough, and fewer of a huge one.
      */
     private static final int PILOT_STRIDE = 8;
-    private static final int LEAST_PILOTS = 64;
-    private static final int MOST_PILOTS = 4096;
+    private static final int MIN_PILOTS = 64;
+    private static final int MAX_PILOTS = 4096;
 
     private final Tracer tracer;
     private final Sampling sampling;
@@ -74,8 +74,8 @@ public final class Renderer {
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
         // Of the whole picture, so that a part of it gets the same samples.
         Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()));
-        int stride = (int) Math.max(Math.max(1, whole.count() / MOST_PILOTS),
-                Math.min(PILOT_STRIDE, whole.count() / LEAST_PILOTS));
+        int stride = (int) Math.max(Math.max(1, whole.count() / MAX_PILOTS),
+                Math.min(PILOT_STRIDE, whole.count() / MIN_PILOTS));
         double[][] variances = new double[(int) ((whole.count() + stride - 1) / stride)][];
         RayCounts pilot = onAllThreads(pool,
                 () -> look(new AdaptiveSampler(tracer.newTileTracer(), error, null), whole, stride, variances));

@@ -17,7 +17,7 @@ import java.util.Arrays;
 record SampleBudget(int closer, double k, int grid) {
 
     /** The most samples along a pixel's side. */
-    static final int MOST = 32;
+    static final int MAX = 32;
 
     /** C: fitted to four scenes of edges, shadows, mirrors and thin things, so that none misses its aim by a fifth. */
     private static final double EDGE_ERROR = 1;
@@ -28,8 +28,8 @@ record SampleBudget(int closer, double k, int grid) {
      */
     private static final double CLOSER_EXPONENT = 0.75;
 
-    private static final int LEAST_CLOSER = 2;
-    private static final int MOST_CLOSER = 6;
+    private static final int MIN_CLOSER = 2;
+    private static final int MAX_CLOSER = 6;
 
     /** Enough that k is as good as exact. */
     private static final int BISECTIONS = 40;
@@ -42,8 +42,8 @@ record SampleBudget(int closer, double k, int grid) {
      */
     static SampleBudget plan(double[] variances, long pixels, double error, double first) {
         double even = Math.cbrt(square(EDGE_ERROR / error) * Arrays.stream(variances).sum() / pixels);
-        int closer = (int) Math.max(LEAST_CLOSER, Math.min(MOST_CLOSER, Math.ceil(Math.pow(even, CLOSER_EXPONENT))));
-        double low = 0, high = MOST / Math.pow(square(1 / 255.0), 0.2);
+        int closer = (int) Math.max(MIN_CLOSER, Math.min(MAX_CLOSER, Math.ceil(Math.pow(even, CLOSER_EXPONENT))));
+        double low = 0, high = MAX / Math.pow(square(1 / 255.0), 0.2);
         for (int i = 0; i < BISECTIONS; i++) {
             double middle = (low + high) / 2;
             if (meanSquare(variances, pixels, closer, middle) > square(error)) {
@@ -52,7 +52,7 @@ record SampleBudget(int closer, double k, int grid) {
                 high = middle;
             }
         }
-        int grid = (int) Math.max(1, Math.min(MOST, Math.ceil(even)));
+        int grid = (int) Math.max(1, Math.min(MAX, Math.ceil(even)));
         double samples = first + cost(variances, closer, high) / pixels;
         return new SampleBudget(closer, high, samples < square(grid) ? 0 : grid);
     }
@@ -63,7 +63,7 @@ record SampleBudget(int closer, double k, int grid) {
     }
 
     private static int along(double variance, int closer, double k) {
-        return (int) Math.max(closer, Math.min(MOST, Math.round(k * Math.pow(variance, 0.2))));
+        return (int) Math.max(closer, Math.min(MAX, Math.round(k * Math.pow(variance, 0.2))));
     }
 
     private static double meanSquare(double[] variances, long pixels, int closer, double k) {

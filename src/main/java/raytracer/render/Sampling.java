@@ -7,9 +7,9 @@ public sealed interface Sampling {
     Sampling CENTRES = new Grid(1);
 
     /** The greatest {@link Grid#n}. */
-    int MOST = 64;
+    int MAX = 64;
 
-    /** @param n along a pixel's side, from 1 to {@link #MOST} */
+    /** @param n along a pixel's side, from 1 to {@link #MAX} */
     record Grid(int n) implements Sampling { }
 
     /**
@@ -28,7 +28,7 @@ public sealed interface Sampling {
     record Adaptive(double error) implements Sampling {
 
         /** The least error that can be aimed at. */
-        public static final double LEAST = 1e-4;
+        public static final double MIN = 1e-4;
 
         /** One step of a picture's 256: no visible difference. */
         public static final double INVISIBLE = 1 / 255.0;

@@ -15,7 +15,7 @@ public record Camera(Vector eye, Vector at, Vector up, double fov) {
      * product that gives the picture's horizontal is made of rounding errors (a few 1e-16), and the picture would roll
      * at random.
      */
-    private static final double LEAST_UP_SINE = 1e-12;
+    private static final double MIN_UP_SINE = 1e-12;
 
     /** Points backwards, from what is looked at to the eye. */
     public Vector backward() {
@@ -29,6 +29,6 @@ public record Camera(Vector eye, Vector at, Vector up, double fov) {
 
     /** Whether {@code up} says which way is up: it is neither zero nor parallel to the view. */
     public boolean upIsClear() {
-        return up.unit().cross(backward()).length() > LEAST_UP_SINE;
+        return up.unit().cross(backward()).length() > MIN_UP_SINE;
     }
 }

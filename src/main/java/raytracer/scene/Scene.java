@@ -8,7 +8,7 @@ import java.util.List;
  *
  * @param width    in pixels, at least 1
  * @param height   in pixels, at least 1
- * @param maxDepth how many surfaces a path from the eye may meet, at least 1: 1 means no mirrors
+ * @param maxDepth how many surfaces a path from the eye may hit, at least 1: 1 means no mirrors
  * @param lights   in the order of declaration
  * @param shapes   in the order of declaration: of surfaces at the same distance the first is seen
  * @param mesh     what the {@link Shape.Triangles} among the shapes are triangles of

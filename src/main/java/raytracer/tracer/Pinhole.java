@@ -38,7 +38,7 @@ final class Pinhole {
         eye = camera.eye();
         Vector toEye = camera.backward();
         // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose
-        // tangent is rational (Niven 1956), so that rays can meet edges exactly; radians would miss it by a bit.
+        // tangent is rational (Niven 1956), so that rays can hit edges exactly; radians would miss it by a bit.
         double halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
         right = camera.right().times(halfHeight);
         up = toEye.cross(camera.right()).times(halfHeight);
@@ -57,14 +57,14 @@ final class Pinhole {
     /** A rectangle of the picture, whose sides are in pixels, from the left and from the top. */
     Window window(double fromX, double toX, double fromY, double toY) {
         double x0 = 2 * fromX - width, x1 = 2 * toX - width, y0 = height - 2 * toY, y1 = height - 2 * fromY;
-        double[] least = new double[3], greatest = new double[3];
+        double[] min = new double[3], max = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             double r = right.along(axis), u = up.along(axis), b = backward.along(axis);
             // By the height, the plane's distance from the eye.
-            least[axis] = (Math.min(x0 * r, x1 * r) + Math.min(y0 * u, y1 * u) - b) / height;
-            greatest[axis] = (Math.max(x0 * r, x1 * r) + Math.max(y0 * u, y1 * u) - b) / height;
+            min[axis] = (Math.min(x0 * r, x1 * r) + Math.min(y0 * u, y1 * u) - b) / height;
+            max[axis] = (Math.max(x0 * r, x1 * r) + Math.max(y0 * u, y1 * u) - b) / height;
         }
-        return new Window(least, greatest);
+        return new Window(min, max);
     }
 
     /** The eye, and what the picture shows from there. */
@@ -73,7 +73,7 @@ final class Pinhole {
     }
 
     /** The eye in place of a light. */
-    LightSource lamp() {
+    LightSource source() {
         return viewpoint.source();
     }
 

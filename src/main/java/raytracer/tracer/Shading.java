@@ -18,16 +18,16 @@ import raytracer.tracer.search.SearchWorkspace;
 final class Shading {
 
     /** The greatest whole exponent that is multiplied out. */
-    private static final int MOST_MULTIPLIED = 1024;
+    private static final int MAX_MULTIPLIED = 1024;
 
-    private final List<LightSource> lamps;
+    private final List<LightSource> lights;
     private final Rays rays;
     private final ShadowRays shadows;
     private long shadowCount;
 
-    // What is shaded, and from which lamp.
+    // What is shaded, and from which light.
     private Material material;
-    private LightSource lamp;
+    private LightSource light;
 
     private final Kernel aim = this::aim;
     private final Kernel findReflectance = this::findReflectance;
@@ -44,7 +44,7 @@ final class Shading {
     private final Kernel limitPower;
 
     // By ray: the light that is left, none or any; the highlight to the power of the shininess.
-    private final double[] most = new double[Batch.CAPACITY];
+    private final double[] max = new double[Batch.CAPACITY];
     private final double[] power = new double[Batch.CAPACITY];
 
     // By ray: the result.
@@ -56,8 +56,8 @@ final class Shading {
     private final Term specularTerm;
 
     /** @param rays what is shaded, when it has arrived */
-    Shading(List<Surfaces> surfaces, List<LightSource> lamps, Rays rays, SearchWorkspace space) {
-        this.lamps = lamps;
+    Shading(List<Surfaces> surfaces, List<LightSource> lights, Rays rays, SearchWorkspace space) {
+        this.lights = lights;
         this.rays = rays;
         shadows = new ShadowRays(rays);
         block = new Kernel[surfaces.size()];
@@ -73,12 +73,12 @@ final class Shading {
                 new Kernel.Dot(rays.normal, half, s.highlight),
                 new Kernel.Length(half, power),
                 new Kernel.Divide(s.highlight, power, s.highlight));
-        limitLambert = new Kernel.InTurn(new Kernel.Cut(s.lambert), new Kernel.Limit(s.lambert, most));
+        limitLambert = new Kernel.InTurn(new Kernel.Cut(s.lambert), new Kernel.Limit(s.lambert, max));
         cutHighlight = new Kernel.Cut(s.highlight);
         multiplyPower = new Kernel.Multiply(power, s.highlight);
         squareHighlight = new Kernel.Multiply(s.highlight, s.highlight);
         invertPower = new Kernel.Invert(power);
-        limitPower = new Kernel.Limit(power, most);
+        limitPower = new Kernel.Limit(power, max);
         diffuseTerm = new Term(s.lambert);
         specularTerm = new Term(power);
     }
@@ -86,24 +86,24 @@ final class Shading {
     /** Adds light times colour times a number by ray to the result. */
     private final class Term implements Kernel {
         private final double[] by;
-        private Colour light;
-        private Colour colour;
+        private Colour ofLight;
+        private Colour ofSurface;
 
         Term(double[] by) {
             this.by = by;
         }
 
-        void add(Colour ofLight, Colour ofSurface, int from, int to) {
-            light = ofLight;
-            colour = ofSurface;
+        void add(Colour light, Colour surface, int from, int to) {
+            ofLight = light;
+            ofSurface = surface;
             Kernel.run(this, from, to);
         }
 
         @Override
         public void run(int from, int to) {
-            add(red, light.red(), colour.red(), from, to);
-            add(green, light.green(), colour.green(), from, to);
-            add(blue, light.blue(), colour.blue(), from, to);
+            add(red, ofLight.red(), ofSurface.red(), from, to);
+            add(green, ofLight.green(), ofSurface.green(), from, to);
+            add(blue, ofLight.blue(), ofSurface.blue(), from, to);
         }
 
         /** Nothing of something infinite is nothing. */
@@ -139,13 +139,13 @@ final class Shading {
             return;
         }
         shadows.start(from, to);
-        for (LightSource each : lamps) {
-            lamp = each;
+        for (LightSource each : lights) {
+            light = each;
             Kernel.run(aim, from, to);
             Kernel.run(findReflectance, from, to);
-            int open = open(from, to);
-            if (open > 0) {
-                shadowCount += open;
+            int unoccluded = unoccluded(from, to);
+            if (unoccluded > 0) {
+                shadowCount += unoccluded;
                 for (Kernel kind : block) {
                     Kernel.run(kind, from, to);
                 }
@@ -159,7 +159,7 @@ final class Shading {
     }
 
     private void aim(int from, int to) {
-        shadows.aim(lamp, from, to);
+        shadows.aim(light, from, to);
     }
 
     private void extendPaths(Samples samples, int from, int to) {
@@ -184,37 +184,36 @@ final class Shading {
         }
     }
 
-    /** Opens the ways to the light on which it would add something; returns how many. */
-    private int open(int from, int to) {
+    /** Marks the shadow rays on which the light would add something; returns how many. */
+    private int unoccluded(int from, int to) {
         boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
         boolean alwaysSpecular = specular && material.shininess() <= 0;
         int count = 0;
         for (int i = from; i < to; i++) {
-            boolean open = shadows.distance[i] > 0 && (diffuse && shadows.lambert[i] > 0
+            boolean unoccluded = shadows.distance[i] > 0 && (diffuse && shadows.lambert[i] > 0
                     || alwaysSpecular || specular && shadows.highlight[i] > 0);
-            shadows.unoccluded[i] = open;
-            count += open ? 1 : 0;
+            shadows.unoccluded[i] = unoccluded;
+            count += unoccluded ? 1 : 0;
         }
         return count;
     }
 
     private void addLight(int from, int to) {
-        Colour light = lamp.colour();
-        most(shadows.unoccluded, most, from, to);
+        max(shadows.unoccluded, max, from, to);
         Kernel.run(limitLambert, from, to);
-        diffuseTerm.add(light, material.diffuse(), from, to);
+        diffuseTerm.add(light.colour(), material.diffuse(), from, to);
         if (!material.specular().isBlack()) {
             Kernel.run(cutHighlight, from, to);
             power(material.shininess(), from, to);
             Kernel.run(limitPower, from, to);
-            specularTerm.add(light, material.specular(), from, to);
+            specularTerm.add(light.colour(), material.specular(), from, to);
         }
     }
 
     /** The most that can be returned: nothing where the light is not seen. */
-    private static void most(boolean[] open, double[] most, int from, int to) {
+    private static void max(boolean[] unoccluded, double[] max, int from, int to) {
         for (int i = from; i < to; i++) {
-            most[i] = open[i] ? Double.POSITIVE_INFINITY : 0;
+            max[i] = unoccluded[i] ? Double.POSITIVE_INFINITY : 0;
         }
     }
 
@@ -224,7 +223,7 @@ final class Shading {
      */
     private void power(double s, int from, int to) {
         int n = (int) Math.abs(s);
-        if (n != Math.abs(s) || n > MOST_MULTIPLIED) {
+        if (n != Math.abs(s) || n > MAX_MULTIPLIED) {
             for (int i = from; i < to; i++) {
                 power[i] = Math.pow(shadows.highlight[i], s);
             }

@@ -5,31 +5,31 @@ import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.rays.Rays;
 
 /**
- * Puts a tile's rays in order by the look of what they have met, so that all of a group arrive and are shaded by the
+ * Puts a tile's rays in order by the material of what they have hit, so that all of a group arrive and are shaded by the
  * same rules and the same numbers. Most tiles have one or two groups.
  */
 final class ShadingGroups {
 
-    private final int[] look;
+    private final int[] materialIndex;
 
     private int count;
-    private final int[] lookOf = new int[Batch.CAPACITY];
+    private final int[] materialOf = new int[Batch.CAPACITY];
     /** By group: its rays begin here, and end where the next one's begin. */
     private final int[] start = new int[Batch.CAPACITY + 1];
 
     private final int[] groupOf = new int[Batch.CAPACITY];
     private final int[] order = new int[Batch.CAPACITY];
 
-    ShadingGroups(SurfaceTable slots) {
-        look = slots.look();
+    ShadingGroups(SurfaceTable table) {
+        materialIndex = table.materialIndex();
     }
 
     int count() {
         return count;
     }
 
-    int look(int group) {
-        return lookOf[group];
+    int material(int group) {
+        return materialOf[group];
     }
 
     int start(int group) {
@@ -40,18 +40,18 @@ final class ShadingGroups {
         return start[group + 1];
     }
 
-    /** Puts the rays in order; those that have met nothing leave. */
+    /** Puts the rays in order; those that have hit nothing leave. */
     void arrange(Rays rays) {
-        int met = rays.hit[0] != Rays.NONE && rays.haveMetTheSame(0, rays.count) ? makeOne(rays) : assign(rays);
-        if (count == 1 && met == rays.count) {
+        int hitCount = rays.hit[0] != Rays.NONE && rays.haveHitTheSame(0, rays.count) ? makeOne(rays) : assign(rays);
+        if (count == 1 && hitCount == rays.count) {
             start[0] = 0;
-            start[1] = met;
-        } else if (met == 0) {
+            start[1] = hitCount;
+        } else if (hitCount == 0) {
             rays.count = 0;
         } else {
             sort(rays);
-            start[count] = met;
-            rays.select(order, met);
+            start[count] = hitCount;
+            rays.select(order, hitCount);
         }
     }
 
@@ -70,36 +70,36 @@ final class ShadingGroups {
 
     private int makeOne(Rays rays) {
         count = 1;
-        lookOf[0] = look[rays.hit[0]];
+        materialOf[0] = materialIndex[rays.hit[0]];
         return rays.count;
     }
 
     /** Tells every ray its group, and counts each group's rays in {@link #start}. */
     private int assign(Rays rays) {
         count = 0;
-        int met = 0;
+        int hitCount = 0;
         int group = -1;
         for (int i = 0; i < rays.count; i++) {
-            int slot = rays.hit[i];
-            if (slot != Rays.NONE) {
-                if (group < 0 || lookOf[group] != look[slot]) {
-                    group = find(look[slot]);
+            int surface = rays.hit[i];
+            if (surface != Rays.NONE) {
+                if (group < 0 || materialOf[group] != materialIndex[surface]) {
+                    group = find(materialIndex[surface]);
                 }
                 groupOf[i] = group;
                 start[group]++;
-                met++;
+                hitCount++;
             }
         }
-        return met;
+        return hitCount;
     }
 
     private int find(int wanted) {
         for (int group = 0; group < count; group++) {
-            if (lookOf[group] == wanted) {
+            if (materialOf[group] == wanted) {
                 return group;
             }
         }
-        lookOf[count] = wanted;
+        materialOf[count] = wanted;
         start[count] = 0;
         return count++;
     }

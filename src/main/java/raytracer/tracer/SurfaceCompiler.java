@@ -18,20 +18,20 @@ import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.primitive.Triangles;
 
-/** Sorts a scene's shapes by kind and gives each surface its slot: planes first, then spheres, then triangles. */
+/** Sorts a scene's shapes by kind and gives each surface its index: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {
 
     private final List<Viewpoint> viewpoints;
     private final Mesh mesh;
     private final ForkJoinPool pool;
-    private final int[] declaredBySlot;
-    private final int[] lookBySlot;
-    private final List<Material> looks = new ArrayList<>();
+    private final int[] declared;
+    private final int[] materialIndex;
+    private final List<Material> materials = new ArrayList<>();
 
     private final List<Shape.Plane> planes = new ArrayList<>();
     private final List<Shape.Sphere> spheres = new ArrayList<>();
 
-    // By number among the shapes of its kind: what goes to the slot table.
+    // By number among the shapes of its kind: what goes into the surface table.
     private final Origins planeOrigins;
     private final Origins sphereOrigins;
     private final Origins triangleOrigins;
@@ -40,14 +40,14 @@ final class SurfaceCompiler {
     private static final class Origins {
         final int[] declared;
         final Material[] material;
-        final Map<Material, Integer> lookOf = new HashMap<>();
+        final Map<Material, Integer> materialOf = new HashMap<>();
         int count;
         private Material last;
-        private int lastLook;
+        private int lastIndex;
 
-        Origins(int most) {
-            declared = new int[most];
-            material = new Material[most];
+        Origins(int max) {
+            declared = new int[max];
+            material = new Material[max];
         }
 
         void add(int number, Material made) {
@@ -55,18 +55,18 @@ final class SurfaceCompiler {
             material[count++] = made;
         }
 
-        /** The number of this kind's look with a surface's material, which it gets if it has none yet. */
-        int look(int number, List<Material> looks) {
+        /** The index of a surface's material among those of this kind. */
+        int materialIndex(int number, List<Material> materials) {
             Material made = material[number];
             if (made != last) {
                 last = made;
-                Integer known = lookOf.putIfAbsent(made, looks.size());
+                Integer known = materialOf.putIfAbsent(made, materials.size());
                 if (known == null) {
-                    looks.add(made);
+                    materials.add(made);
                 }
-                lastLook = known == null ? looks.size() - 1 : known;
+                lastIndex = known == null ? materials.size() - 1 : known;
             }
-            return lastLook;
+            return lastIndex;
         }
     }
 
@@ -77,13 +77,13 @@ final class SurfaceCompiler {
         planeOrigins = new Origins(count(scene.shapes(), Shape.Plane.class));
         sphereOrigins = new Origins(count(scene.shapes(), Shape.Sphere.class));
         triangleOrigins = new Origins(mesh.triangles());
-        int declared = 0;
+        int next = 0;
         for (Shape shape : scene.shapes()) {
-            sort(shape, declared);
-            declared = Math.addExact(declared, shape.count());
+            sort(shape, next);
+            next = Math.addExact(next, shape.count());
         }
-        declaredBySlot = new int[planes.size() + spheres.size() + mesh.triangles()];
-        lookBySlot = new int[declaredBySlot.length];
+        declared = new int[planes.size() + spheres.size() + mesh.triangles()];
+        materialIndex = new int[declared.length];
     }
 
     private static int count(List<Shape> shapes, Class<? extends Shape> kind) {
@@ -124,8 +124,8 @@ final class SurfaceCompiler {
     }
 
     /** Complete when the surfaces have been made. */
-    SurfaceTable slots() {
-        return new SurfaceTable(declaredBySlot, lookBySlot, looks.toArray(new Material[0]));
+    SurfaceTable table() {
+        return new SurfaceTable(declared, materialIndex, materials.toArray(new Material[0]));
     }
 
     private Surfaces planes() {
@@ -137,26 +137,26 @@ final class SurfaceCompiler {
 
     private Surfaces spheres() {
         Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Spheres.LEAF_SIZE, pool);
-        int firstSlot = planes.size();
+        int firstSurface = planes.size();
         List<Shape.Sphere> ordered = new ArrayList<>(spheres.size());
         for (int k = 0; k < spheres.size(); k++) {
             ordered.add(spheres.get(bvh.order()[k]));
-            settle(firstSlot + k, sphereOrigins, bvh.order()[k]);
+            settle(firstSurface + k, sphereOrigins, bvh.order()[k]);
         }
-        return new Spheres(ordered, firstSlot, bvh, viewpoints);
+        return new Spheres(ordered, firstSurface, bvh, viewpoints);
     }
 
     private Surfaces triangles() {
         Bvh bvh = BvhBuilder.build(mesh.triangles(), Triangles.bounds(mesh), Triangles.LEAF_SIZE, pool);
-        int firstSlot = planes.size() + spheres.size();
+        int firstSurface = planes.size() + spheres.size();
         for (int k = 0; k < mesh.triangles(); k++) {
-            settle(firstSlot + k, triangleOrigins, bvh.order()[k]);
+            settle(firstSurface + k, triangleOrigins, bvh.order()[k]);
         }
-        return new Triangles(mesh, firstSlot, bvh, viewpoints, pool);
+        return new Triangles(mesh, firstSurface, bvh, viewpoints, pool);
     }
 
-    private void settle(int slot, Origins from, int k) {
-        declaredBySlot[slot] = from.declared[k];
-        lookBySlot[slot] = from.look(k, looks);
+    private void settle(int surface, Origins from, int k) {
+        declared[surface] = from.declared[k];
+        materialIndex[surface] = from.materialIndex(k, materials);
     }
 }

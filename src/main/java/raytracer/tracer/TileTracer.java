@@ -20,7 +20,7 @@ import raytracer.tracer.search.Ties;
 /**
  * Traces tiles, one after the other, for one thread. All of a tile's rays take each step together: they find the
  * nearest surface, move there, are shaded, and turn into their mirror images, as often as the depth allows. A ray
- * leaves when it meets nothing or can no longer change its pixel.
+ * leaves when it hits nothing or can no longer change its pixel.
  */
 public final class TileTracer {
 
@@ -31,12 +31,12 @@ public final class TileTracer {
     private static final int COLD_CAPACITY = 40;
     private static final int COLD_RAYS = 4000 * COLD_CAPACITY;
 
-    /** Rays that have met something, in this or another thread's tracer of the scene: most kernels are over those. */
-    private final AtomicLong met;
+    /** Rays that have hit something, in this or another thread's tracer of the scene: most kernels are over those. */
+    private final AtomicLong hits;
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
-    private final Material[] material;
+    private final Material[] materials;
     private final int maxDepth;
 
     private final SearchWorkspace space = new SearchWorkspace();
@@ -54,7 +54,7 @@ public final class TileTracer {
     private final Runnable[] steps = {
         this::findClosestHits, this::arrange, this::moveToHits, this::shade, this::addToSamples, this::reflect};
 
-    /** How many surfaces the paths of this round's rays have met with the one that they meet now. */
+    /** How many surfaces the paths of this round's rays have hit with the one that they hit now. */
     private int depth;
 
     /** What is being traced: rays know their sample's number as their pixel. */
@@ -66,53 +66,53 @@ public final class TileTracer {
     private long primaryCount;
     private long reflectionCount;
 
-    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable slots, List<LightSource> lamps, int maxDepth,
-            AtomicLong met) {
+    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
+            AtomicLong hits) {
         this.surfaces = surfaces;
-        this.material = slots.material();
+        this.materials = table.materials();
         this.maxDepth = maxDepth;
-        this.met = met;
+        this.hits = hits;
         rays = new Rays();
-        ties = new Ties(slots.declared(), surfaces, rays, space.surfaces());
-        groups = new ShadingGroups(slots);
+        ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
+        groups = new ShadingGroups(table);
         this.pinhole = pinhole;
         aiming = pinhole.aiming(rays);
         find = new Kernel[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
-            find[kind] = ClosestHit.among(surfaces.get(kind), rays, pinhole.lamp(), space);
+            find[kind] = ClosestHit.among(surfaces.get(kind), rays, pinhole.source(), space);
         }
-        shading = new Shading(surfaces, lamps, rays, space);
+        shading = new Shading(surfaces, lights, rays, space);
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
         window = null;
-        int most = most();
-        for (int from = 0; from < all.count; from += most) {
-            trace(from, Math.min(from + most, all.count));
+        int max = max();
+        for (int from = 0; from < all.count; from += max) {
+            trace(from, Math.min(from + max, all.count));
         }
     }
 
     /** Traces the rays through the centres of a tile's pixels, which become the points, and sets their colours. */
     public void traceCentres(int left, int top, int columns, int rows, Samples all) {
-        traceCentres(left, top, columns, rows, Math.max(1, most() / columns), all);
+        traceCentres(left, top, columns, rows, Math.max(1, max() / columns), all);
     }
 
-    /** @param most rows that are traced together */
-    void traceCentres(int left, int top, int columns, int rows, int most, Samples all) {
+    /** @param max rows that are traced together */
+    void traceCentres(int left, int top, int columns, int rows, int max, Samples all) {
         samples = all;
         all.setCentres(left, top, columns, rows);
-        for (int row = 0; row < rows; row += most) {
-            int end = Math.min(row + most, rows);
+        for (int row = 0; row < rows; row += max) {
+            int end = Math.min(row + max, rows);
             window = pinhole.window(left + 0.5, left + columns - 0.5, top + row + 0.5, top + end - 0.5);
             trace(row * columns, end * columns);
         }
     }
 
     /** How many rays are traced together. */
-    private int most() {
-        return met.get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
+    private int max() {
+        return hits.get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
     }
 
     private void trace(int from, int to) {
@@ -152,15 +152,15 @@ public final class TileTracer {
         ties.settle();
     }
 
-    /** Puts rays that have met surfaces of the same look together; those that have met none leave. */
+    /** Puts rays that have hit surfaces of the same material together; those that have hit none leave. */
     private void arrange() {
         groups.arrange(rays);
-        if (met.get() < COLD_RAYS) {
-            met.addAndGet(rays.count);
+        if (hits.get() < COLD_RAYS) {
+            hits.addAndGet(rays.count);
         }
     }
 
-    /** Takes every ray there, and notes what it has met. */
+    /** Takes every ray there, and notes what it has hit. */
     private void moveToHits() {
         for (int group = 0; group < groups.count(); group++) {
             int first = rays.hit[groups.start(group)];
@@ -168,26 +168,26 @@ public final class TileTracer {
                 if (kind.owns(first)) {
                     kind.moveToHits(rays, groups.start(group), groups.end(group), space.surfaces());
                     if (samples.path != null) {
-                        extendPaths(groups.start(group), groups.end(group), kind.isOfOneSurface(), groups.look(group));
+                        extendPaths(groups.start(group), groups.end(group), kind.isOfOneSurface(), groups.material(group));
                     }
                 }
             }
         }
     }
 
-    private void extendPaths(int from, int to, boolean oneSurface, int look) {
+    private void extendPaths(int from, int to, boolean oneSurface, int materialIndex) {
         for (int i = from; i < to; i++) {
             int p = rays.pixel[i];
             if (rays.isFainter(i, samples.faintest)) {
                 continue;
             }
-            samples.path[p] = Shading.extendPath(samples.path[p], oneSurface ? look : material.length + rays.hit[i]);
+            samples.path[p] = Shading.extendPath(samples.path[p], oneSurface ? materialIndex : materials.length + rays.hit[i]);
         }
     }
 
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(groups.start(group), groups.end(group), material[groups.look(group)], samples);
+            shading.shade(groups.start(group), groups.end(group), materials[groups.material(group)], samples);
         }
     }
 
@@ -236,7 +236,7 @@ public final class TileTracer {
         }
         int count = 0;
         for (int group = 0; group < groups.count(); group++) {
-            Colour mirror = material[groups.look(group)].specular();
+            Colour mirror = materials[groups.material(group)].specular();
             if (!mirror.isBlack()) {
                 count = dim(groups.start(group), groups.end(group), mirror, count);
             }

@@ -25,19 +25,19 @@ public final class Tracer {
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
-    private final SurfaceTable slots;
-    private final List<LightSource> lamps;
+    private final SurfaceTable table;
+    private final List<LightSource> lights;
     private final int maxDepth;
-    private final AtomicLong met;
+    private final AtomicLong hits;
 
-    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable slots, List<LightSource> lamps, int maxDepth,
-            AtomicLong met) {
+    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
+            AtomicLong hits) {
         this.pinhole = pinhole;
         this.surfaces = surfaces;
-        this.slots = slots;
-        this.lamps = lamps;
+        this.table = table;
+        this.lights = lights;
         this.maxDepth = maxDepth;
-        this.met = met;
+        this.hits = hits;
     }
 
     /** @param threads how many threads build trees; what is built does not depend on it */
@@ -45,24 +45,24 @@ public final class Tracer {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
             Pinhole pinhole = new Pinhole(scene);
-            List<LightSource> lamps = new ArrayList<>();
+            List<LightSource> lights = new ArrayList<>();
             for (Light light : scene.lights()) {
-                lamps.add(LightSource.of(light));
+                lights.add(LightSource.of(light));
             }
             List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
-            lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
+            lights.forEach(light -> viewpoints.add(new Viewpoint(light, null)));
             SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, pool);
             List<Surfaces> surfaces = compiler.surfaces();
-            return new Tracer(pinhole, surfaces, compiler.slots(), List.copyOf(lamps), scene.maxDepth(),
+            return new Tracer(pinhole, surfaces, compiler.table(), List.copyOf(lights), scene.maxDepth(),
                     new AtomicLong());
         } finally {
             pool.shutdown();
         }
     }
 
-    /** The same scene, but that paths from the eye meet at most so many surfaces. */
+    /** The same scene, but that paths from the eye hit at most so many surfaces. */
     public Tracer withMaxDepth(int newMaxDepth) {
-        return new Tracer(pinhole, surfaces, slots, lamps, newMaxDepth, met);
+        return new Tracer(pinhole, surfaces, table, lights, newMaxDepth, hits);
     }
 
     /** The picture's, in pixels. */
@@ -83,6 +83,6 @@ public final class Tracer {
 
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
-        return new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, met);
+        return new TileTracer(pinhole, surfaces, table, lights, maxDepth, hits);
     }
 }

@@ -48,6 +48,6 @@ class SampleBudgetTest {
 
     @Test
     void neverGivesMoreThanTheMost() {
-        assertTrue(SampleBudget.plan(filled(10, 1), 1000, 1e-4, 5).along(1) <= SampleBudget.MOST);
+        assertTrue(SampleBudget.plan(filled(10, 1), 1000, 1e-4, 5).along(1) <= SampleBudget.MAX);
     }
 }

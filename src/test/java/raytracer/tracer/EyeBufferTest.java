@@ -38,7 +38,7 @@ class EyeBufferTest {
         List<Surfaces> with = LightBufferTest.surfaces(spheres, mesh, List.of(pinhole.viewpoint()));
         List<Surfaces> without = LightBufferTest.surfaces(spheres, mesh, List.of());
         for (Surfaces kind : with) {
-            assertNotNull(((BoundedSurfaces) kind).lightBuffer(pinhole.lamp()).insteadOfWalks(300_000));
+            assertNotNull(((BoundedSurfaces) kind).lightBuffer(pinhole.source()).insteadOfWalks(300_000));
         }
         int met = 0;
         int lookedUp = 0;
@@ -64,7 +64,7 @@ class EyeBufferTest {
         Rays rays = new Rays();
         rays.start(pinhole.aiming(rays), null, samples, 0, Batch.CAPACITY);
         rays.clearHits();
-        surfaces.forEach(kind -> ClosestHit.among(kind, rays, pinhole.lamp(), space).run(0, Batch.CAPACITY));
+        surfaces.forEach(kind -> ClosestHit.among(kind, rays, pinhole.source(), space).run(0, Batch.CAPACITY));
         return rays;
     }
 }

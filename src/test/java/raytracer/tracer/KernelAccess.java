@@ -29,9 +29,9 @@ public final class KernelAccess {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
         surfaces = (BoundedSurfaces) compiler.surfaces().get(0);
-        int[] slotOf = new int[compiler.slots().declared().length];
+        int[] slotOf = new int[compiler.table().declared().length];
         for (int slot = 0; slot < slotOf.length; slot++) {
-            slotOf[compiler.slots().declared()[slot]] = slot;
+            slotOf[compiler.table().declared()[slot]] = slot;
         }
         int count = (origin.length + Batch.CAPACITY - 1) / Batch.CAPACITY;
         tiles = new Rays[count];

@@ -35,7 +35,7 @@ public final class Probe {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
         surfaces = compiler.surfaces();
-        slots = compiler.slots();
+        slots = compiler.table();
         rays = new Rays();
         ties = new Ties(slots.declared(), surfaces, rays, space.surfaces());
     }
@@ -62,7 +62,7 @@ public final class Probe {
     /** Whether a light is seen from where the last ray arrived. */
     boolean sees(LightSource lamp) {
         ShadowRays shadows = new ShadowRays(rays);
-        shadows.lamp = lamp;
+        shadows.light = lamp;
         Vector way = new Vector(lamp.x(), lamp.y(), lamp.z());
         shadows.distance[0] = Double.POSITIVE_INFINITY;
         if (!lamp.directional()) {

@@ -55,14 +55,14 @@ class TiesTest {
             lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
             SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, ForkJoinPool.commonPool());
             surfaces = compiler.surfaces();
-            slots = compiler.slots();
+            slots = compiler.table();
             maxDepth = scene.maxDepth();
         }
 
         /** Makes it so that every ray that would walk the tree looks into a light buffer instead; returns how many. */
         int buildLightBuffers() {
             List<LightSource> all = new ArrayList<>(lamps);
-            all.add(pinhole.lamp());
+            all.add(pinhole.source());
             int built = 0;
             for (Surfaces kind : surfaces) {
                 for (LightSource lamp : all) {

@@ -41,8 +41,8 @@ class WindowTest {
                 least = Math.min(least, d.along(axis) * length);
                 greatest = Math.max(greatest, d.along(axis) * length);
             }
-            assertEquals(least, window.least()[axis], ROUNDING * Math.max(1, Math.abs(least)));
-            assertEquals(greatest, window.greatest()[axis], ROUNDING * Math.max(1, Math.abs(greatest)));
+            assertEquals(least, window.min()[axis], ROUNDING * Math.max(1, Math.abs(least)));
+            assertEquals(greatest, window.max()[axis], ROUNDING * Math.max(1, Math.abs(greatest)));
         }
     }
 }

@@ -1,15 +1,15 @@
 package raytracer.tracer.bvh;
 
 /**
- * A bounding volume hierarchy with four children a node, and a few things beside it that are too large for a tree to
- * be of use: every ray tries those.
+ * A bounding volume hierarchy with four children a node, and a few oversized primitives, for which a tree is of no
+ * use: every ray tries those.
  *
- * <p>Boxes are floats in the tree's own space, in which the things fill the cube from -1 to 1: centred so that a scene
+ * <p>Boxes are floats in the tree's own space, in which the primitives fill the cube from -1 to 1: centred so that a scene
  * far from the origin keeps its digits, and scaled by a power of two, so that a scene of another unit gets the same
- * tree. They are conservative: {@link #PADDING} covers every rounding between a thing and a ray's test of its box.
+ * tree. They are conservative: {@link #PADDING} covers every rounding between a primitive and a ray's test of its box.
  *
- * @param order    the things: those beside the tree, then those in the order of the leaves
- * @param oversized how many are beside the tree
+ * @param order    the primitives: the oversized ones, then those in the order of the leaves
+ * @param oversized how many are oversized
  * @param nodes    {@link #NODE_STRIDE} numbers a node
  * @param root     a node's number, a leaf, or {@link #EMPTY}
  * @param scale    a power of two: tree space is (world - centre) * scale
@@ -38,7 +38,7 @@ public record Bvh(int[] order, int oversized, float[] nodes, int root,
     /** In tree space: from farther away, doubles are not exact enough for the boxes' padding. */
     public static final double FARTHEST = 0x1p20;
 
-    /** The most things in a leaf. */
+    /** The most primitives in a leaf. */
     public static final int LEAF_SIZE = 8;
 
     /**
@@ -52,7 +52,7 @@ public record Bvh(int[] order, int oversized, float[] nodes, int root,
     public static final float PADDING = 18 * 0x1p-24f;
 
     /**
-     * A leaf of things {@code first} to {@code first + count - 1} in {@link #order}; negative. Never the bits of
+     * A leaf of primitives {@code first} to {@code first + count - 1} in {@link #order}; negative. Never the bits of
      * a NaN: a copy of a float may change those.
      */
     static int leaf(int first, int count) {

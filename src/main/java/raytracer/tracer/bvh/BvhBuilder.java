@@ -12,60 +12,60 @@ import java.util.concurrent.RecursiveTask;
  */
 public final class BvhBuilder {
 
-    /** Fewer things than this are not worth another task. */
+    /** Fewer primitives than this are not worth another task. */
     private static final int PARALLEL_SIZE = 4096;
 
-    /** A thing is kept beside the tree if its box is more than this part as wide as all boxes together. */
+    /** A primitive is oversized if its box is more than this part as wide as all boxes together. */
     private static final double TOO_WIDE = 0.5;
 
-    /** The most things beside the tree: each costs every ray a test. */
-    private static final int MOST_BESIDE = 8;
+    /** The most that are: each costs every ray a test. */
+    private static final int MAX_OVERSIZED = 8;
 
-    /** A leaf of so many things is not split, even where there is room for another. */
+    /** A leaf of so many primitives is not split, even where there is room for another. */
     private static final int SMALL_LEAF = 2;
 
-    private final int[] things;
+    private final int[] primitives;
     private final float[] boxes;
     private final int leafSize;
 
-    private BvhBuilder(int[] things, float[] boxes, int leafSize) {
-        this.things = things;
+    private BvhBuilder(int[] primitives, float[] boxes, int leafSize) {
+        this.primitives = primitives;
         this.boxes = boxes;
         this.leafSize = leafSize;
     }
 
-    /** @param leafSize the most things in a leaf, at most {@link Bvh#LEAF_SIZE} */
+    /** @param leafSize the most primitives in a leaf, at most {@link Bvh#LEAF_SIZE} */
     public static Bvh build(int count, Bounds bounds, int leafSize, ForkJoinPool pool) {
         int[] order = new int[count];
         for (int i = 0; i < count; i++) {
             order[i] = i;
         }
         Extent extent = Extent.of(order, 0, bounds, pool);
-        int beside = 0;
+        int oversized = 0;
         // Without the widest the others may have a much smaller box, in which some are the widest again.
-        for (int found; (found = setAside(order, beside, bounds, extent)) != beside; ) {
-            beside = found;
-            extent = Extent.of(order, beside, bounds, pool);
+        for (int found; (found = setAside(order, oversized, bounds, extent)) != oversized; ) {
+            oversized = found;
+            extent = Extent.of(order, oversized, bounds, pool);
         }
         double scale = scale(extent.width());
         double cx = extent.middle(0), cy = extent.middle(1), cz = extent.middle(2);
-        if (beside == count) {
-            return new Bvh(order, beside, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
+        if (oversized == count) {
+            return new Bvh(order, oversized, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
         }
-        float[] boxes = new float[6 * (count - beside)];
-        ParallelRange.run(pool, beside, count, new TreeBoxes(boxes, beside, order, bounds, new double[] {cx, cy, cz}, scale));
+        float[] boxes = new float[6 * (count - oversized)];
+        ParallelRange.run(pool, oversized, count, new TreeBoxes(boxes, oversized, order, bounds, new double[] {cx, cy, cz}, scale));
         Nodes nodes = new Nodes();
-        int root = Bvh.leaf(beside, count - beside);
-        if (count - beside > leafSize) {
-            Range whole = new Range(beside, count, 0, null);
-            Subtree subtree = new BvhBuilder(order, boxes, leafSize).new Subtree(whole, beside);
+        int root = Bvh.leaf(oversized, count - oversized);
+        if (count - oversized > leafSize) {
+            Range whole = new Range(oversized, count, 0, null);
+            Subtree subtree = new BvhBuilder(order, boxes, leafSize).new Subtree(whole, oversized);
             nodes = whole.size() < PARALLEL_SIZE ? subtree.compute() : pool.invoke(subtree);
             root = 0;
         }
-        return new Bvh(order, beside, nodes.numbers(), root, cx, cy, cz, scale);
+        return new Bvh(order, oversized, nodes.numbers(), root, cx, cy, cz, scale);
     }
 
-    /** Brings the things that are too wide to the front; all or, if there are too many of them, none. */
+    /** Brings the primitives that are too wide to the front; all or, if there are too many of them, none. */
     private static int setAside(int[] order, int from, Bounds bounds, Extent extent) {
         double tooWide = TOO_WIDE * extent.width();
         if (extent.widest() <= tooWide) {
@@ -76,12 +76,12 @@ public final class BvhBuilder {
         for (int i = from; i < order.length; i++) {
             bounds.of(order[i], box);
             if (Extent.width(box) > tooWide) {
-                if (wide == MOST_BESIDE) {
+                if (wide == MAX_OVERSIZED) {
                     return from;
                 }
-                int thing = order[i];
+                int primitive = order[i];
                 order[i] = order[wide];
-                order[wide++] = thing;
+                order[wide++] = primitive;
             }
         }
         return wide;
@@ -92,7 +92,7 @@ public final class BvhBuilder {
         return width > 0 ? Math.scalb(1.0, -Math.getExponent(width)) : 1;
     }
 
-    /** Brings the boxes of things, from the first in the tree on, to tree space. */
+    /** Brings the boxes of primitives, from the first in the tree on, to tree space. */
     private record TreeBoxes(float[] boxes, int first, int[] order, Bounds bounds, double[] centre, double scale)
             implements ParallelRange.Work {
         @Override
@@ -127,11 +127,11 @@ public final class BvhBuilder {
         private final int offset;
         private final transient SahSplitter split;
 
-        /** @param offset where the first box's thing is in the order */
+        /** @param offset where the first box's primitive is in the order */
         Subtree(Range range, int offset) {
             this.range = range;
             this.offset = offset;
-            split = new SahSplitter(things, boxes, offset);
+            split = new SahSplitter(primitives, boxes, offset);
         }
 
         /** With a stack of its own: C2 would inline a recursion into itself, for a quarter second. */
@@ -196,11 +196,11 @@ public final class BvhBuilder {
             return count;
         }
 
-        /** The part with the largest surface of those of more things than so many; negative if there is none. */
-        private static int widest(Range[] parts, int count, int things) {
+        /** The part with the largest surface of those of more primitives than so many; negative if there is none. */
+        private static int widest(Range[] parts, int count, int primitives) {
             int widest = -1;
             for (int k = 0; k < count; k++) {
-                if (parts[k].size() > things && (widest < 0 || parts[k].area > parts[widest].area)) {
+                if (parts[k].size() > primitives && (widest < 0 || parts[k].area > parts[widest].area)) {
                     widest = k;
                 }
             }

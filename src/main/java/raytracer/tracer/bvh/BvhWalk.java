@@ -3,7 +3,7 @@ package raytracer.tracer.bvh;
 import java.util.Arrays;
 
 /**
- * One ray's way through a {@link Bvh}: the leaves whose boxes it meets, the nearest of a node's children first. One
+ * One ray's way through a {@link Bvh}: the leaves whose boxes it hits, the nearest of a node's children first. One
  * object serves ray after ray.
  */
 public final class BvhWalk {
@@ -121,18 +121,18 @@ public final class BvhWalk {
     }
 
     /**
-     * Goes to the next leaf. The things beside the tree are in none.
+     * Goes to the next leaf. The oversized primitives are in none.
      *
      * @param limit no box farther away matters, in world space; may shrink from call to call
      * @return false if there is no more
      */
     public boolean nextLeaf(double limit) {
         // Rounded up by more than floats round: the padding has room for it.
-        float reach = (float) ((limit * bvh.scale() - start) * (1 + 0x1p-22));
-        int reachBits = Float.floatToRawIntBits(reach);
+        float maxDistance = (float) ((limit * bvh.scale() - start) * (1 + 0x1p-22));
+        int maxBits = Float.floatToRawIntBits(maxDistance);
         while (stacked > 0) {
             long key = stack[--stacked];
-            if ((int) (key >>> 32) > reachBits) {
+            if ((int) (key >>> 32) > maxBits) {
                 continue;
             }
             int child = (int) key;
@@ -146,17 +146,17 @@ public final class BvhWalk {
         return false;
     }
 
-    /** The current leaf's first thing. */
+    /** The current leaf's first primitive. */
     public int first() {
         return first;
     }
 
-    /** Behind the current leaf's last thing. */
+    /** Behind the current leaf's last primitive. */
     public int end() {
         return end;
     }
 
-    /** Puts down all children that the ray meets: whether they are in reach is asked when they are taken up. */
+    /** Puts down all children that the ray hits: whether they are in reach is asked when they are taken up. */
     private void visit(int node) {
         float[] nodes = bvh.nodes();
         int at = node * Bvh.NODE_STRIDE;

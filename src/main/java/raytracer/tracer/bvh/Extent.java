@@ -2,7 +2,7 @@ package raytracer.tracer.bvh;
 
 import java.util.concurrent.ForkJoinPool;
 
-/** The box around numbered things, and how wide the widest of them is. */
+/** The box around numbered primitives, and how wide the widest of them is. */
 public final class Extent {
 
     private final double[] box = new double[6];
@@ -15,7 +15,7 @@ public final class Extent {
         }
     }
 
-    /** Of the things from one place in an order on. */
+    /** Of the primitives from one place in an order on. */
     static Extent of(int[] order, int from, Bounds bounds, ForkJoinPool pool) {
         Extent all = new Extent();
         ParallelRange.run(pool, from, order.length, new Inclusion(order, bounds, all));
@@ -26,10 +26,10 @@ public final class Extent {
         @Override
         public void over(int from, int to) {
             Extent part = new Extent();
-            double[] thing = new double[6];
+            double[] primitive = new double[6];
             for (int k = from; k < to; k++) {
-                bounds.of(order[k], thing);
-                part.include(thing, width(thing));
+                bounds.of(order[k], primitive);
+                part.include(primitive, width(primitive));
             }
             all.merge(part);
         }
@@ -53,17 +53,17 @@ public final class Extent {
         return Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
     }
 
-    /** Negative infinity if there are no things. */
+    /** Negative infinity if there are no primitives. */
     double width() {
         return width(box);
     }
 
-    /** The greatest of any thing's lengths. */
+    /** The greatest of any primitive's lengths. */
     double widest() {
         return widest;
     }
 
-    /** Of the box, along one axis; not a number if there are no things. */
+    /** Of the box, along one axis; not a number if there are no primitives. */
     double middle(int axis) {
         return box[axis] / 2 + box[axis + 3] / 2;
     }

@@ -27,7 +27,7 @@ public final class Nodes {
         }
         int at = count * Bvh.NODE_STRIDE;
         for (int axis = 0; axis < 3; axis++) {
-            // A box that no ray meets is as wide as less than nothing.
+            // A box that no ray hits is as wide as less than nothing.
             int half = at + axis * Bvh.AXIS_STRIDE + Bvh.HALF;
             Arrays.fill(numbers, half, half + Bvh.WIDTH, Float.NEGATIVE_INFINITY);
         }
@@ -38,11 +38,11 @@ public final class Nodes {
     void setBox(int node, int child, float[] box) {
         for (int axis = 0; axis < 3; axis++) {
             int at = node * Bvh.NODE_STRIDE + axis * Bvh.AXIS_STRIDE + child;
-            float least = box[axis] - Bvh.PADDING, greatest = box[axis + 3] + Bvh.PADDING;
-            float middle = (least + greatest) / 2;
+            float min = box[axis] - Bvh.PADDING, max = box[axis + 3] + Bvh.PADDING;
+            float middle = (min + max) / 2;
             numbers[at] = middle;
             // The differences may have been rounded down.
-            numbers[at + Bvh.HALF] = Math.nextUp(Math.max(middle - least, greatest - middle));
+            numbers[at + Bvh.HALF] = Math.nextUp(Math.max(middle - min, max - middle));
         }
     }
 

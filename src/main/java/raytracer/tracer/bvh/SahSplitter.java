@@ -3,9 +3,9 @@ package raytracer.tracer.bvh;
 import java.util.Arrays;
 
 /**
- * Splits ranges of things in two by the surface area heuristic: along the axis on which the boxes' centres spread most,
+ * Splits ranges of primitives in two by the surface area heuristic: along the axis on which the boxes' centres spread most,
  * at the best of the limits between {@link #BINS} bins (Wald, On fast Construction of SAH-based Bounding Volume
- * Hierarchies, 2007). Boxes move together with their things, so that every pass reads memory in order. One object
+ * Hierarchies, 2007). Boxes move together with their primitives, so that every pass reads memory in order. One object
  * serves range after range.
  */
 public final class SahSplitter {
@@ -15,7 +15,7 @@ public final class SahSplitter {
     /** Ranges shorter than this do with half as many. */
     private static final int FEW = 24;
 
-    private final int[] things;
+    private final int[] primitives;
     private final float[] boxes;
     private final int offset;
 
@@ -27,33 +27,33 @@ public final class SahSplitter {
     private float[] right;
 
     /**
-     * @param things things in some order, which splitting changes
-     * @param boxes  6 numbers a thing, from thing number {@code offset} of that order
+     * @param primitives primitives in some order, which splitting changes
+     * @param boxes  6 numbers a primitive, from primitive number {@code offset} of that order
      */
-    SahSplitter(int[] things, float[] boxes, int offset) {
-        this.things = things;
+    SahSplitter(int[] primitives, float[] boxes, int offset) {
+        this.primitives = primitives;
         this.boxes = boxes;
         this.offset = offset;
     }
 
-    /** Brings a range's things into the order of their side; returns where the second side starts, inside the range. */
+    /** Brings a range's primitives into the order of their side; returns where the second side starts, inside the range. */
     int at(int from, int to) {
         left = new float[6];
         right = new float[6];
         float[] centres = centres(from, to);
         int axis = widest(centres);
-        float least = centres[axis];
-        float spread = centres[axis + 3] - least;
+        float min = centres[axis];
+        float spread = centres[axis + 3] - min;
         if (!(spread > 0)) {
             return halve(from, to);
         }
         used = to - from < FEW ? BINS / 2 : BINS;
         float binsPerUnit = used / spread;
-        fillBins(from, to, axis, least, binsPerUnit);
+        fillBins(from, to, axis, min, binsPerUnit);
         int bin = cheapest(to - from);
         merge(0, bin, left);
         merge(bin, used, right);
-        return partition(from, to, axis, least, binsPerUnit, bin);
+        return partition(from, to, axis, min, binsPerUnit, bin);
     }
 
     float[] leftBox() {
@@ -89,18 +89,18 @@ public final class SahSplitter {
 
     /** The least and the greatest centres, doubled: the sums of two opposite sides. */
     private float[] centres(int from, int to) {
-        float leastX = Float.POSITIVE_INFINITY, leastY = leastX, leastZ = leastX;
-        float greatestX = Float.NEGATIVE_INFINITY, greatestY = greatestX, greatestZ = greatestX;
+        float minX = Float.POSITIVE_INFINITY, minY = minX, minZ = minX;
+        float maxX = Float.NEGATIVE_INFINITY, maxY = maxX, maxZ = maxX;
         for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
             float x = boxes[i] + boxes[i + 3], y = boxes[i + 1] + boxes[i + 4], z = boxes[i + 2] + boxes[i + 5];
-            leastX = x < leastX ? x : leastX;
-            leastY = y < leastY ? y : leastY;
-            leastZ = z < leastZ ? z : leastZ;
-            greatestX = x > greatestX ? x : greatestX;
-            greatestY = y > greatestY ? y : greatestY;
-            greatestZ = z > greatestZ ? z : greatestZ;
+            minX = x < minX ? x : minX;
+            minY = y < minY ? y : minY;
+            minZ = z < minZ ? z : minZ;
+            maxX = x > maxX ? x : maxX;
+            maxY = y > maxY ? y : maxY;
+            maxZ = z > maxZ ? z : maxZ;
         }
-        return new float[] {leastX, leastY, leastZ, greatestX, greatestY, greatestZ};
+        return new float[] {minX, minY, minZ, maxX, maxY, maxZ};
     }
 
     private static int widest(float[] box) {
@@ -108,17 +108,17 @@ public final class SahSplitter {
         return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     }
 
-    private int bin(int box, int axis, float least, float binsPerUnit) {
-        return Math.min(used - 1, (int) ((boxes[box + axis] + boxes[box + axis + 3] - least) * binsPerUnit));
+    private int bin(int box, int axis, float min, float binsPerUnit) {
+        return Math.min(used - 1, (int) ((boxes[box + axis] + boxes[box + axis + 3] - min) * binsPerUnit));
     }
 
-    private void fillBins(int from, int to, int axis, float least, float binsPerUnit) {
+    private void fillBins(int from, int to, int axis, float min, float binsPerUnit) {
         for (int bin = 0; bin < used; bin++) {
             counts[bin] = 0;
             clear(bins[bin]);
         }
         for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
-            int bin = bin(i, axis, least, binsPerUnit);
+            int bin = bin(i, axis, min, binsPerUnit);
             counts[bin]++;
             extend(bins[bin], boxes, i);
         }
@@ -134,15 +134,15 @@ public final class SahSplitter {
         }
         clear(box);
         int best = 0;
-        float least = Float.POSITIVE_INFINITY;
+        float min = Float.POSITIVE_INFINITY;
         int before = 0;
         for (int bin = 1; bin < used; bin++) {
             extend(box, bins[bin - 1], 0);
             before += counts[bin - 1];
             if (before > 0 && before < all) {
                 float cost = area(box) * before + rightAreas[bin] * (all - before);
-                if (cost < least) {
-                    least = cost;
+                if (cost < min) {
+                    min = cost;
                     best = bin;
                 }
             }
@@ -150,14 +150,14 @@ public final class SahSplitter {
         return best;
     }
 
-    private int partition(int from, int to, int axis, float least, float binsPerUnit, int firstRight) {
+    private int partition(int from, int to, int axis, float min, float binsPerUnit, int firstRight) {
         int i = from;
         int j = to;
         while (true) {
-            while (i < j && bin(6 * (i - offset), axis, least, binsPerUnit) < firstRight) {
+            while (i < j && bin(6 * (i - offset), axis, min, binsPerUnit) < firstRight) {
                 i++;
             }
-            while (i < j && bin(6 * (j - 1 - offset), axis, least, binsPerUnit) >= firstRight) {
+            while (i < j && bin(6 * (j - 1 - offset), axis, min, binsPerUnit) >= firstRight) {
                 j--;
             }
             if (i == j) {
@@ -168,9 +168,9 @@ public final class SahSplitter {
     }
 
     private void swap(int i, int j) {
-        int thing = things[i];
-        things[i] = things[j];
-        things[j] = thing;
+        int primitive = primitives[i];
+        primitives[i] = primitives[j];
+        primitives[j] = primitive;
         for (int side = 0; side < 6; side++) {
             int a = 6 * (i - offset) + side, b = 6 * (j - offset) + side;
             float value = boxes[a];

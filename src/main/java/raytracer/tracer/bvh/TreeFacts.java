@@ -4,12 +4,12 @@ package raytracer.tracer.bvh;
  * What is worth telling about a tree.
  *
  * @param kind   of surfaces, in the plural
- * @param things how many are in the tree
+ * @param primitives how many are in the tree
  * @param oversized how many are beside it, and tried by every ray
  * @param depth  the most nodes on a way from the root to a leaf
  * @param bytes  the memory of its nodes
  */
-public record TreeFacts(String kind, int things, int oversized, int nodes, int depth, long bytes) {
+public record TreeFacts(String kind, int primitives, int oversized, int nodes, int depth, long bytes) {
 
     public static TreeFacts of(String kind, Bvh bvh) {
         return new TreeFacts(kind, bvh.order().length - bvh.oversized(), bvh.oversized(),

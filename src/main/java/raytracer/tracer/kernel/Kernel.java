@@ -8,7 +8,7 @@ import java.util.Arrays;
  * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of
  * fewer on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
  *
- * <p>Passes are objects that know their arrays, and are run by way of {@link #run(Kernel, int, int)}, so that each kind
+ * <p>Kernels are objects that know their arrays, and are run by way of {@link #run(Kernel, int, int)}, so that each kind
  * is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times over,
  * and be busy for seconds.
  */
@@ -17,22 +17,22 @@ public interface Kernel {
     void run(int from, int to);
 
     /** Runs a kernel of a kind that HotSpot does not know, even in a method that has just made it. */
-    static void run(Kernel pass, int from, int to) {
-        unknown(pass, 2).run(from, to);
+    static void run(Kernel kernel, int from, int to) {
+        unknown(kernel, 2).run(from, to);
     }
 
     /** HotSpot inlines recursion one level deep (-XX:MaxRecursiveInlineLevel), so two levels hide the receiver's type. */
-    private static Kernel unknown(Kernel pass, int deeper) {
-        return deeper > 0 ? unknown(pass, deeper - 1) : pass;
+    private static Kernel unknown(Kernel kernel, int deeper) {
+        return deeper > 0 ? unknown(kernel, deeper - 1) : kernel;
     }
 
-    /** One pass after the other. */
-    record InTurn(Kernel... passes) implements Kernel {
+    /** One kernel after the other. */
+    record InTurn(Kernel... kernels) implements Kernel {
         @Override
         public void run(int from, int to) {
-            for (Kernel pass : passes) {
+            for (Kernel kernel : kernels) {
                 // Not by way of run: here HotSpot has seen kernels of any kind.
-                pass.run(from, to);
+                kernel.run(from, to);
             }
         }
     }
@@ -132,7 +132,7 @@ public interface Kernel {
     }
 
     /** out = |x| + |y| + |z| */
-    record Reach(Vectors v, double[] out) implements Kernel {
+    record L1Norm(Vectors v, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] x = v.x(), y = v.y(), z = v.z();
@@ -210,11 +210,11 @@ public interface Kernel {
     }
 
     /** a = min(a, most) */
-    record Limit(double[] a, double[] most) implements Kernel {
+    record Limit(double[] a, double[] max) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                a[i] = Math.min(a[i], most[i]);
+                a[i] = Math.min(a[i], max[i]);
             }
         }
     }

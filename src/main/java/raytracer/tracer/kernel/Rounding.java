@@ -17,7 +17,7 @@ public final class Rounding {
 
     /**
      * Relative to the distance: hits closer to one another than this may be a tie, which is decided by the
-     * bounds on their errors. It is more than twice {@link #GREATEST_TIE}, so that none is overlooked.
+     * bounds on their errors. It is more than twice {@link #MAX_TIE}, so that none is overlooked.
      */
     public static final double TIE_SIEVE = 0x1p-20;
 
@@ -25,7 +25,7 @@ public final class Rounding {
      * Relative to the distance: a greater error is not granted to a hit that is compared with others. Only hits that
      * graze by less than a millionth of a radian have one.
      */
-    private static final double GREATEST_TIE = 0x1p-22;
+    private static final double MAX_TIE = 0x1p-22;
 
     /** Bounds the error of each coordinate of a ray from the eye: scaled basis, products, sums and normalising. */
     public static final double EYE_DIRECTION = 5 * U;
@@ -34,7 +34,7 @@ public final class Rounding {
 
     /** Bounds the error of a distance for comparing it with others. */
     public static double tie(double distanceError, double distance) {
-        return Math.min(distanceError, GREATEST_TIE * distance);
+        return Math.min(distanceError, MAX_TIE * distance);
     }
 
     /**
@@ -59,7 +59,7 @@ public final class Rounding {
     }
 
     /**
-     * Bounds the error of the distance at which a ray meets a plane: that of the offset, and the distance times that of
+     * Bounds the error of the distance at which a ray hits a plane: that of the offset, and the distance times that of
      * the cosine, both divided by the cosine.
      */
     public static double planeDistance(
@@ -84,11 +84,11 @@ public final class Rounding {
      * round by u and the sum by 2u of their distance, products and sums by 6u of theirs times the edge, all of it twice
      * at most; where the ray is off by some length, the result is by that times twice the edge.
      *
-     * @param reach |x| + |y| + |z| of the farther end
+     * @param l1Norm |x| + |y| + |z| of the farther end
      * @param edge  |x| + |y| + |z| of the edge, or more
      */
-    public static double edge(double originError, double directionError, double reach, double edge) {
-        return edge * (24 * U * reach + 2 * (originError + DIAGONAL * directionError * reach));
+    public static double edge(double originError, double directionError, double l1Norm, double edge) {
+        return edge * (24 * U * l1Norm + 2 * (originError + DIAGONAL * directionError * l1Norm));
     }
 
     /**
@@ -133,10 +133,10 @@ public final class Rounding {
     /**
      * Bounds the error of direction . (origin - centre): 3u of the offset, and the errors of both.
      *
-     * @param reach |x| + |y| + |z| of origin - centre
+     * @param l1Norm |x| + |y| + |z| of origin - centre
      */
-    public static double along(double originError, double directionError, double reach) {
-        return (3 * U + directionError) * reach + originError;
+    public static double along(double originError, double directionError, double l1Norm) {
+        return (3 * U + directionError) * l1Norm + originError;
     }
 
     /**
@@ -144,9 +144,9 @@ public final class Rounding {
      * rounds by 3u of the offset and is off as the ray is at its foot, so the difference is off by 2r times that and
      * 2u r^2. (As far as r and p are alike: where they are not, the sign is beyond doubt.)
      */
-    public static double sphereSquare(double originError, double directionError, double reach, double radius, double along) {
+    public static double sphereSquare(double originError, double directionError, double l1Norm, double radius, double along) {
         double foot = originError + DIAGONAL * directionError * Math.abs(along);
-        return 2 * radius * (foot + U * (3 * reach + radius));
+        return 2 * radius * (foot + U * (3 * l1Norm + radius));
     }
 
     /**
@@ -161,24 +161,24 @@ public final class Rounding {
     }
 
     /**
-     * Bounds the error of the distance at which a ray meets a sphere. Half the chord and the distance to its middle
+     * Bounds the error of the distance at which a ray hits a sphere. Half the chord and the distance to its middle
      * round by what their terms do; a distance that is the power over their sum only in proportion. Where the ray is
-     * off by some length, it meets the sphere off by that over the cosine, which is half the chord over the radius.
+     * off by some length, it hits the sphere off by that over the cosine, which is half the chord over the radius.
      *
      * @param half  half the chord, the root of r^2 - p^2
      * @param along direction . (origin - centre)
      */
-    public static double sphereDistance(double originError, double directionError, double reach, double radius, double half,
+    public static double sphereDistance(double originError, double directionError, double l1Norm, double radius, double half,
             double along, double distance) {
         double sum = half + Math.abs(along);
-        double rounding = (root(sphereSquare(0, 0, reach, radius, along), half) + 3 * U * (reach + sum))
+        double rounding = (root(sphereSquare(0, 0, l1Norm, radius, along), half) + 3 * U * (l1Norm + sum))
                 * Math.min(1, distance / sum);
         double ray = originError + DIAGONAL * directionError * distance;
         return rounding + root(2 * radius * ray, half) + U * distance;
     }
 
-    /** Bounds the error of the distance from where a ray has arrived to a lamp, but for the origin's own. */
-    public static double lampDistance(double positionError, double distance) {
+    /** Bounds the error of the distance from where a ray has arrived to a light, but for the origin's own. */
+    public static double lightDistance(double positionError, double distance) {
         return positionError + 4 * U * distance;
     }
 
@@ -188,18 +188,18 @@ public final class Rounding {
     }
 
     /**
-     * Bounds how far off along their rays points are where these have met spheres: the {@linkplain #sphereDistance
+     * Bounds how far off along their rays points are where these have hit spheres: the {@linkplain #sphereDistance
      * distances}' errors of rays whose directions are off as those from the eye.
      *
-     * @param reach |x| + |y| + |z| of origin - centre; is overwritten, as is part
+     * @param l1Norm |x| + |y| + |z| of origin - centre; is overwritten, as is part
      */
     public static Kernel sphereSlide(
-            double[] reach, double[] radius, double[] along, double[] distance, double[] part, double[] out) {
+            double[] l1Norm, double[] radius, double[] along, double[] distance, double[] part, double[] out) {
         return new Kernel.InTurn(
                 new PartOfRounding(along, distance, out, part),
-                new OfDistance(reach, distance, part, out),
-                new Squares(reach, radius, distance, part),
-                new AddRoots(reach, along, distance, out));
+                new OfDistance(l1Norm, distance, part, out),
+                new Squares(l1Norm, radius, distance, part),
+                new AddRoots(l1Norm, along, distance, out));
     }
 
     /** The part of rounding errors that a distance has which is the power over a sum. */
@@ -214,22 +214,22 @@ public final class Rounding {
     }
 
     /** The distance's linear part, in place of the sum. */
-    private record OfDistance(double[] reach, double[] distance, double[] part, double[] sum) implements Kernel {
+    private record OfDistance(double[] l1Norm, double[] distance, double[] part, double[] sum) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                sum[i] = U * (3 * (reach[i] + sum[i]) * part[i] + distance[i]);
+                sum[i] = U * (3 * (l1Norm[i] + sum[i]) * part[i] + distance[i]);
             }
         }
     }
 
     /** The errors under the root, in place of the reach. */
-    private record Squares(double[] reach, double[] radius, double[] distance, double[] part) implements Kernel {
+    private record Squares(double[] l1Norm, double[] radius, double[] distance, double[] part) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                reach[i] = 2 * radius[i]
-                        * (U * (3 * reach[i] + radius[i]) * part[i] + DIAGONAL * EYE_DIRECTION * distance[i]);
+                l1Norm[i] = 2 * radius[i]
+                        * (U * (3 * l1Norm[i] + radius[i]) * part[i] + DIAGONAL * EYE_DIRECTION * distance[i]);
             }
         }
     }

@@ -8,11 +8,11 @@ import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Vectors;
 
-/** What numbered things are within: the points that are no farther than a radius from a triangle. */
+/** What numbered primitives are within: the points that are no farther than a radius from a triangle. */
 @FunctionalInterface
 public interface BoundingShapes {
 
-    /** The hulls of some things: corners of triangles, and radii. */
+    /** The hulls of some primitives: corners of triangles, and radii. */
     record Chunk(Vectors a, Vectors b, Vectors c, double[] radius) {
 
         static final int CAPACITY = Batch.CAPACITY;
@@ -22,7 +22,7 @@ public interface BoundingShapes {
         }
     }
 
-    /** Gets the hulls of things {@code from} to {@code to - 1}, as many as a chunk can hold, in world space. */
+    /** Gets the hulls of primitives {@code from} to {@code to - 1}, as many as a chunk can hold, in world space. */
     void get(int from, int to, Chunk out);
 
     /** The corners coincide in the centre. */

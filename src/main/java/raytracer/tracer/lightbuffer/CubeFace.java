@@ -1,7 +1,7 @@
 package raytracer.tracer.lightbuffer;
 
 /**
- * A face of the cube of directions around a lamp, divided into cells. What the lamp sees is at (u, v): the other two of
+ * A face of the cube of directions around a source, divided into cells. What the source sees is at (u, v): the other two of
  * its coordinates by its depth, which is the coordinate along the face's axis. A directional light has one face, whose
  * places stand for parallels.
  */
@@ -22,10 +22,10 @@ public final class CubeFace {
     private final double slopeV;
 
     // The part that is divided into cells, and where these are among all faces' cells.
-    private double leastU = Double.POSITIVE_INFINITY;
-    private double leastV = Double.POSITIVE_INFINITY;
-    private double greatestU = Double.NEGATIVE_INFINITY;
-    private double greatestV = Double.NEGATIVE_INFINITY;
+    private double minU = Double.POSITIVE_INFINITY;
+    private double minV = Double.POSITIVE_INFINITY;
+    private double maxU = Double.NEGATIVE_INFINITY;
+    private double maxV = Double.NEGATIVE_INFINITY;
     private double side;
     private double cellsPerUnit;
     private int columns;
@@ -42,7 +42,7 @@ public final class CubeFace {
         this.slopeV = slopeV;
     }
 
-    /** The faces around a lamp, in the order of {@link #number}. */
+    /** The faces around a source, in the order of {@link #number}. */
     static CubeFace[] around() {
         CubeFace[] faces = new CubeFace[6];
         for (int number = 0; number < 6; number++) {
@@ -72,7 +72,7 @@ public final class CubeFace {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
 
-    // Of a point as seen from the lamp: its depth, and u and v but for the division by the depth.
+    // Of a point as seen from the source: its depth, and u and v but for the division by the depth.
 
     double depth(double x, double y, double z) {
         return sign * along(x, y, z);
@@ -96,77 +96,77 @@ public final class CubeFace {
         return Math.sqrt(1 + slopeV * slopeV);
     }
 
-    /** Makes the part with cells larger, so that it holds all that is seen of a box, as seen from the lamp. */
-    void include(double[] least, double[] greatest) {
+    /** Makes the part with cells larger, so that it holds all that is seen of a box, as seen from the source. */
+    void include(double[] min, double[] max) {
         if (parallel) {
-            double u0 = slopeU * least[axis], u1 = slopeU * greatest[axis];
-            double v0 = slopeV * least[axis], v1 = slopeV * greatest[axis];
-            include(least[axisU] - Math.max(u0, u1), greatest[axisU] - Math.min(u0, u1),
-                    least[axisV] - Math.max(v0, v1), greatest[axisV] - Math.min(v0, v1));
+            double u0 = slopeU * min[axis], u1 = slopeU * max[axis];
+            double v0 = slopeV * min[axis], v1 = slopeV * max[axis];
+            include(min[axisU] - Math.max(u0, u1), max[axisU] - Math.min(u0, u1),
+                    min[axisV] - Math.max(v0, v1), max[axisV] - Math.min(v0, v1));
             return;
         }
-        double near = sign > 0 ? least[axis] : -greatest[axis], far = sign > 0 ? greatest[axis] : -least[axis];
+        double near = sign > 0 ? min[axis] : -max[axis], far = sign > 0 ? max[axis] : -min[axis];
         if (far > 0) {
-            include(Math.max(-1, -most(-least[axisU], near, far)), Math.min(1, most(greatest[axisU], near, far)),
-                    Math.max(-1, -most(-least[axisV], near, far)), Math.min(1, most(greatest[axisV], near, far)));
+            include(Math.max(-1, -max(-min[axisU], near, far)), Math.min(1, max(max[axisU], near, far)),
+                    Math.max(-1, -max(-min[axisV], near, far)), Math.min(1, max(max[axisV], near, far)));
         }
     }
 
     /** How far on the face something is seen, at most, that is so far across or down, between two depths. */
-    private static double most(double across, double near, double far) {
+    private static double max(double across, double near, double far) {
         return across <= 0 ? across / far : near > 0 ? across / near : Double.POSITIVE_INFINITY;
     }
 
     private void include(double fromU, double toU, double fromV, double toV) {
         if (fromU <= toU && fromV <= toV) {
-            leastU = Math.min(leastU, fromU);
-            leastV = Math.min(leastV, fromV);
-            greatestU = Math.max(greatestU, toU);
-            greatestV = Math.max(greatestV, toV);
+            minU = Math.min(minU, fromU);
+            minV = Math.min(minV, fromV);
+            maxU = Math.max(maxU, toU);
+            maxV = Math.max(maxV, toV);
         }
     }
 
     /** Makes the part with cells no larger than this. */
     void limit(double fromU, double toU, double fromV, double toV) {
-        leastU = Math.max(leastU, fromU);
-        leastV = Math.max(leastV, fromV);
-        greatestU = Math.min(greatestU, toU);
-        greatestV = Math.min(greatestV, toV);
-        if (!(leastU < greatestU && leastV < greatestV)) {
-            leastU = leastV = Double.POSITIVE_INFINITY;
-            greatestU = greatestV = Double.NEGATIVE_INFINITY;
+        minU = Math.max(minU, fromU);
+        minV = Math.max(minV, fromV);
+        maxU = Math.min(maxU, toU);
+        maxV = Math.min(maxV, toV);
+        if (!(minU < maxU && minV < maxV)) {
+            minU = minV = Double.POSITIVE_INFINITY;
+            maxU = maxV = Double.NEGATIVE_INFINITY;
         }
     }
 
     /** Whether the part with cells has anything in common with a box. */
     boolean overlaps(double fromU, double toU, double fromV, double toV) {
-        return fromU <= greatestU && toU >= leastU && fromV <= greatestV && toV >= leastV;
+        return fromU <= maxU && toU >= minU && fromV <= maxV && toV >= minV;
     }
 
     /** Of the part that is to have cells. */
     double area() {
-        return leastU < greatestU ? (greatestU - leastU) * (greatestV - leastV) : 0;
+        return minU < maxU ? (maxU - minU) * (maxV - minV) : 0;
     }
 
     /** Divides it into cells of this side; returns how many. */
     int divide(double sideOfCells, int numberOfFirst) {
-        if (!(leastU < greatestU)) {
+        if (!(minU < maxU)) {
             return 0;
         }
         side = sideOfCells;
         cellsPerUnit = 1 / side;
-        columns = 1 + (int) ((greatestU - leastU) * cellsPerUnit);
-        rows = 1 + (int) ((greatestV - leastV) * cellsPerUnit);
+        columns = 1 + (int) ((maxU - minU) * cellsPerUnit);
+        rows = 1 + (int) ((maxV - minV) * cellsPerUnit);
         firstCell = numberOfFirst;
         return Math.multiplyExact(columns, rows);
     }
 
     int column(double u) {
-        return Math.max(0, Math.min(columns - 1, (int) ((u - leastU) * cellsPerUnit)));
+        return Math.max(0, Math.min(columns - 1, (int) ((u - minU) * cellsPerUnit)));
     }
 
     int row(double v) {
-        return Math.max(0, Math.min(rows - 1, (int) ((v - leastV) * cellsPerUnit)));
+        return Math.max(0, Math.min(rows - 1, (int) ((v - minV) * cellsPerUnit)));
     }
 
     /** Of a cell. */
@@ -176,12 +176,12 @@ public final class CubeFace {
 
     /** The middle of a column. */
     double u(int column) {
-        return leastU + (column + .5) * side;
+        return minU + (column + .5) * side;
     }
 
     /** The middle of a row. */
     double v(int row) {
-        return leastV + (row + .5) * side;
+        return minV + (row + .5) * side;
     }
 
     int cell(int column, int row) {
@@ -196,7 +196,7 @@ public final class CubeFace {
             u *= reciprocal;
             v *= reciprocal;
         }
-        double column = (u - leastU) * cellsPerUnit, row = (v - leastV) * cellsPerUnit;
+        double column = (u - minU) * cellsPerUnit, row = (v - minV) * cellsPerUnit;
         return column >= 0 && column < columns && row >= 0 && row < rows ? cell((int) column, (int) row) : -1;
     }
 }

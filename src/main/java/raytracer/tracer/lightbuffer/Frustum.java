@@ -25,15 +25,15 @@ public record Frustum(List<Vector> corners) {
         for (int side = 0; side < SIDES; side++) {
             polygon = clip(polygon, side);
         }
-        double leastU = Double.POSITIVE_INFINITY, leastV = leastU, greatestU = -leastU, greatestV = -leastU;
+        double minU = Double.POSITIVE_INFINITY, minV = minU, maxU = -minU, maxV = -minU;
         for (double[] corner : polygon) {
             double u = corner[1] / corner[0], v = corner[2] / corner[0];
-            leastU = Math.min(leastU, u);
-            leastV = Math.min(leastV, v);
-            greatestU = Math.max(greatestU, u);
-            greatestV = Math.max(greatestV, v);
+            minU = Math.min(minU, u);
+            minV = Math.min(minV, v);
+            maxU = Math.max(maxU, u);
+            maxV = Math.max(maxV, v);
         }
-        face.limit(leastU, greatestU, leastV, greatestV);
+        face.limit(minU, maxU, minV, maxV);
     }
 
     /** The part of a polygon that is inside of a side (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974). */

@@ -41,7 +41,7 @@ public final class LazyLightBuffer {
         this.viewpoint = viewpoint;
     }
 
-    /** By lamp, which are told apart as objects. */
+    /** By source, which are told apart as objects. */
     public static Map<LightSource, LazyLightBuffer> of(List<Viewpoint> viewpoints, Bvh bvh, BoundingShapes hulls) {
         Map<LightSource, LazyLightBuffer> buffers = new IdentityHashMap<>();
         for (Viewpoint viewpoint : viewpoints) {
@@ -55,9 +55,9 @@ public final class LazyLightBuffer {
         return hasRoom(bvh.order().length, java.maxMemory(), java.totalMemory() - java.freeMemory());
     }
 
-    /** Whether there is memory to build one of so many things: it is worth some time, but no failure. */
-    static boolean hasRoom(int things, long most, long used) {
-        return LightBufferBuilder.MOST_BYTES * things < most - used - most / LEFT;
+    /** Whether there is memory to build one of so many primitives: it is worth some time, but no failure. */
+    static boolean hasRoom(int primitives, long max, long used) {
+        return LightBufferBuilder.MAX_BYTES * primitives < max - used - max / LEFT;
     }
 
     /** The buffer; null if it is not there. */

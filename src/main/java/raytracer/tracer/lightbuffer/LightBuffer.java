@@ -5,22 +5,22 @@ import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.rays.Rays;
 
 /**
- * The things of a {@link Bvh} by the direction in which a lamp sees them: whatever may be in a shadow ray's way is in
- * the one cell in which the lamp sees where the ray starts (Haines and Greenberg, The Light Buffer: A Shadow-Testing
- * Accelerator, 1986). If the lamp is the eye, what is ahead of a ray from there is in one cell (Weghorst, Hooper and
+ * The primitives of a {@link Bvh} by the direction in which a source sees them: whatever may be in a shadow ray's way is in
+ * the one cell in which the source sees where the ray starts (Haines and Greenberg, The Light Buffer: A Shadow-Testing
+ * Accelerator, 1986). If the source is the eye, what is ahead of a ray from there is in one cell (Weghorst, Hooper and
  * Greenberg, Improved Computational Methods for Ray Tracing, 1984). Trying those takes half of the time of a walk
  * through the tree, or less.
  *
  * <p>Everything is in the tree's space and in double, of points not too far away, so that errors
- * are far below the boxes' padding; things are taken for larger by as much.
+ * are far below the boxes' padding; primitives are taken for larger by as much.
  */
 public final class LightBuffer {
 
     private final Bvh bvh;
     private final boolean directional;
-    private final double lampX;
-    private final double lampY;
-    private final double lampZ;
+    private final double sourceX;
+    private final double sourceY;
+    private final double sourceZ;
     private final CubeFace[] faces;
 
     /** By cell, where its entries begin; they end where the next one's begin. */
@@ -29,18 +29,18 @@ public final class LightBuffer {
     /** Things, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
     private final long[] entries;
 
-    LightBuffer(Bvh bvh, double[] lamp, CubeFace[] faces, int[] start, long[] entries) {
+    LightBuffer(Bvh bvh, double[] source, CubeFace[] faces, int[] start, long[] entries) {
         this.bvh = bvh;
-        lampX = lamp[0];
-        lampY = lamp[1];
-        lampZ = lamp[2];
+        sourceX = source[0];
+        sourceY = source[1];
+        sourceZ = source[2];
         this.faces = faces;
         directional = faces.length == 1;
         this.start = start;
         this.entries = entries;
     }
 
-    /** By ray: where it starts, in the tree's space and as the lamp sees it, and the entries of the cell there. */
+    /** By ray: where it starts, in the tree's space and as the source sees it, and the entries of the cell there. */
     public static final class Cells {
         public final double[] x = new double[Batch.CAPACITY];
         public final double[] y = new double[Batch.CAPACITY];
@@ -55,7 +55,7 @@ public final class LightBuffer {
     }
 
     /** Whether all rays, from one index to another, start near enough to be looked up. */
-    public boolean reaches(Rays rays, int from, int to) {
+    public boolean isNearEnough(Rays rays, int from, int to) {
         double farthest = 0;
         for (int i = from; i < to; i++) {
             double x = Math.abs(rays.ox[i] - bvh.centreX()), y = Math.abs(rays.oy[i] - bvh.centreY());
@@ -65,7 +65,7 @@ public final class LightBuffer {
         return farthest * bvh.scale() < Bvh.FARTHEST;
     }
 
-    /** Finds the cells in which the lamp sees the points where rays start. */
+    /** Finds the cells in which the source sees the points where rays start. */
     public void find(Rays rays, int from, int to, Cells cells) {
         for (int i = from; i < to; i++) {
             find(rays.ox[i], rays.oy[i], rays.oz[i], i, cells);
@@ -89,24 +89,24 @@ public final class LightBuffer {
         cells.x[ray] = treeX;
         cells.y[ray] = treeY;
         cells.z[ray] = treeZ;
-        double x = treeX - lampX, y = treeY - lampY, z = treeZ - lampZ;
+        double x = treeX - sourceX, y = treeY - sourceY, z = treeZ - sourceZ;
         CubeFace face = faces[directional ? 0 : CubeFace.number(x, y, z)];
         // Rounding keeps the order, and entries' depths have been rounded down.
         cells.depth[ray] = key((float) face.depth(x, y, z));
         find(face.cell(x, y, z), ray, cells);
     }
 
-    /** Finds the cells through which rays go that start at the lamp: it is the eye. */
+    /** Finds the cells through which rays go that start at the source: it is the eye. */
     public void findAhead(Rays rays, int from, int to, Cells cells) {
         for (int i = from; i < to; i++) {
-            cells.x[i] = lampX;
-            cells.y[i] = lampY;
-            cells.z[i] = lampZ;
+            cells.x[i] = sourceX;
+            cells.y[i] = sourceY;
+            cells.z[i] = sourceZ;
             double x = rays.dx[i], y = rays.dy[i], z = rays.dz[i];
             CubeFace face = faces[CubeFace.number(x, y, z)];
             cells.depthPerDistance[i] = face.depth(x, y, z) * bvh.scale();
             find(face.cell(x, y, z), i, cells);
-            limit(rays.reach(i), i, cells);
+            limit(rays.maxDistance(i), i, cells);
         }
         touch(cells, from, to);
     }
@@ -121,18 +121,18 @@ public final class LightBuffer {
         cells.depth[ray] = key((float) (distance * cells.depthPerDistance[ray] * (1 + 0x1p-22)));
     }
 
-    /** Whether part of an entry's thing may be nearer to the lamp than what matters: if not, none after it is. */
+    /** Whether part of an entry's primitive may be nearer to the source than what matters: if not, none after it is. */
     public boolean isNearer(int entry, int ray, Cells cells) {
         return (int) (entries[entry] >> 32) <= cells.depth[ray];
     }
 
-    public int thing(int entry) {
+    public int primitive(int entry) {
         return (int) entries[entry];
     }
 
     /** @param nearest the {@link #key} of its least depth */
-    static long entry(int thing, int nearest) {
-        return (long) nearest << 32 | thing;
+    static long entry(int primitive, int nearest) {
+        return (long) nearest << 32 | primitive;
     }
 
     /** An order-preserving map from float to int. */

@@ -8,19 +8,19 @@ import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.LightSource;
 
 /**
- * Builds {@link LightBuffer}s: it is noted which things are seen in which cells, and counted how many in each; then
+ * Builds {@link LightBuffer}s: it is noted which primitives are seen in which cells, and counted how many in each; then
  * they are sorted in. Which parts of the faces they take up is known from the tree's boxes.
  */
 public final class LightBufferBuilder {
 
-    /** If things are in more cells than this on average, they are too large for cells to be of use. */
-    private static final int MOST_ENTRIES = 10;
+    /** If primitives are in more cells than this on average, they are too large for cells to be of use. */
+    private static final int MAX_ENTRIES = 10;
 
-    /** The most memory that building takes for a thing: of its entries, noted and sorted, and twice of its cell. */
-    static final long MOST_BYTES = MOST_ENTRIES * (Integer.BYTES + Long.BYTES) + 3 * Integer.BYTES + 2 * Integer.BYTES;
+    /** The most memory that building takes for a primitive: of its entries, noted and sorted, and twice of its cell. */
+    static final long MAX_BYTES = MAX_ENTRIES * (Integer.BYTES + Long.BYTES) + 3 * Integer.BYTES + 2 * Integer.BYTES;
 
     /** And so they are if the boxes around their outlines have more cells than this. */
-    private static final int MOST_TRIED = 64;
+    private static final int MAX_TRIED = 64;
 
     /** How far down the tree the boxes are that show which parts of the faces it takes up: of 4^5 at most. */
     private static final int LEVELS = 4;
@@ -28,33 +28,33 @@ public final class LightBufferBuilder {
     private final Bvh bvh;
     private final BoundingShapes hulls;
     /** In the tree's space. */
-    private final double[] lamp;
+    private final double[] source;
     private final CubeFace[] faces;
     private final Frustum shown;
     private final int count;
     private final BoundingShapes.Chunk batch = new BoundingShapes.Chunk();
     private final ProjectedOutline outline = new ProjectedOutline();
 
-    /** By thing and face: the thing, the key of its least depth, in how many cells it is seen there, and in which. */
+    /** By primitive and face: the primitive, the key of its least depth, in how many cells it is seen there, and in which. */
     private final IntQueue sightings = new IntQueue();
 
-    /** By cell: how many things are there; then where the next entry goes. */
+    /** By cell: how many primitives are there; then where the next entry goes. */
     private int[] next;
     private long tried;
     private long entries;
     private long[] sorted;
 
-    private LightBufferBuilder(Bvh bvh, BoundingShapes hulls, double[] lamp, CubeFace[] faces, Frustum shown) {
+    private LightBufferBuilder(Bvh bvh, BoundingShapes hulls, double[] source, CubeFace[] faces, Frustum shown) {
         this.bvh = bvh;
         this.hulls = hulls;
-        this.lamp = lamp;
+        this.source = source;
         this.faces = faces;
         this.shown = shown;
         count = bvh.order().length - bvh.oversized();
     }
 
     /**
-     * Sorts the things of a tree by where a lamp sees them.
+     * Sorts the primitives of a tree by where a source sees them.
      *
      * @param hulls by number in the tree's order
      * @return null if that would be no use
@@ -68,14 +68,14 @@ public final class LightBufferBuilder {
             CubeFace[] faces = {CubeFace.of(of.x(), of.y(), of.z())};
             return new LightBufferBuilder(bvh, hulls, new double[3], faces, null).build();
         }
-        double[] lamp = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
+        double[] source = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
             (of.z() - bvh.centreZ()) * bvh.scale()};
-        for (double coordinate : lamp) {
+        for (double coordinate : source) {
             if (!(Math.abs(coordinate) < Bvh.FARTHEST)) {
                 return null;
             }
         }
-        return new LightBufferBuilder(bvh, hulls, lamp, CubeFace.around(), from.shown()).build();
+        return new LightBufferBuilder(bvh, hulls, source, CubeFace.around(), from.shown()).build();
     }
 
     private LightBuffer build() {
@@ -92,7 +92,7 @@ public final class LightBufferBuilder {
             cells += face.divide(Math.sqrt(area / count), cells);
         }
         next = new int[cells];
-        look();
+        project();
         if (isTooMuch()) {
             return null;
         }
@@ -100,7 +100,7 @@ public final class LightBufferBuilder {
         sorted = new long[start[cells] + 1];
         sortIn();
         sortByDepth(start);
-        return new LightBuffer(bvh, lamp, faces, start, sorted);
+        return new LightBuffer(bvh, source, faces, start, sorted);
     }
 
     /** Shows the faces a part of the tree, by its boxes so many levels down. */
@@ -119,41 +119,41 @@ public final class LightBufferBuilder {
 
     /** Shows the faces a box, which is at this place among the nodes' numbers. */
     private void include(int at) {
-        double[] least = new double[3], greatest = new double[3];
+        double[] min = new double[3], max = new double[3];
         for (int axis = 0; axis < 3; axis++) {
-            double middle = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE] - lamp[axis];
+            double middle = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE] - source[axis];
             double half = bvh.nodes()[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF] + Bvh.PADDING;
-            least[axis] = middle - half;
-            greatest[axis] = middle + half;
+            min[axis] = middle - half;
+            max[axis] = middle + half;
         }
         for (CubeFace face : faces) {
-            face.include(least, greatest);
+            face.include(min, max);
         }
     }
 
     private boolean isTooMuch() {
-        return tried > MOST_TRIED * (long) count
-                || entries > Math.min(Integer.MAX_VALUE - 8, MOST_ENTRIES * (long) count);
+        return tried > MAX_TRIED * (long) count
+                || entries > Math.min(Integer.MAX_VALUE - 8, MAX_ENTRIES * (long) count);
     }
 
-    /** Notes where things are seen. */
-    private void look() {
+    /** Notes where primitives are seen. */
+    private void project() {
         int end = bvh.order().length;
         for (int from = bvh.oversized(); from < end && !isTooMuch(); from += BoundingShapes.Chunk.CAPACITY) {
             int to = Math.min(from + BoundingShapes.Chunk.CAPACITY, end);
             hulls.get(from, to, batch);
-            asSeenFromLamp(batch.a(), to - from);
-            asSeenFromLamp(batch.b(), to - from);
-            asSeenFromLamp(batch.c(), to - from);
-            look(from, to);
+            asSeenFromSource(batch.a(), to - from);
+            asSeenFromSource(batch.b(), to - from);
+            asSeenFromSource(batch.c(), to - from);
+            project(from, to);
         }
     }
 
-    /** Brings points from world space to the tree's, with the lamp as the origin. */
-    private void asSeenFromLamp(Vectors points, int end) {
-        Kernel.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), lamp[0]), 0, end);
-        Kernel.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), lamp[1]), 0, end);
-        Kernel.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), lamp[2]), 0, end);
+    /** Brings points from world space to the tree's, with the source as the origin. */
+    private void asSeenFromSource(Vectors points, int end) {
+        Kernel.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), source[0]), 0, end);
+        Kernel.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), source[1]), 0, end);
+        Kernel.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), source[2]), 0, end);
     }
 
     /** a = (a - centre) scale - origin */
@@ -166,9 +166,9 @@ public final class LightBufferBuilder {
         }
     }
 
-    private void look(int from, int to) {
+    private void project(int from, int to) {
         for (int k = from; k < to; k++) {
-            outline.take(batch, k - from, bvh.scale());
+            outline.set(batch, k - from, bvh.scale());
             int only = faces.length == 1 ? 0 : outline.onlyFace();
             int first = Math.max(0, only), last = only < 0 ? faces.length - 1 : only;
             for (int face = first; face <= last; face++) {
@@ -206,7 +206,7 @@ public final class LightBufferBuilder {
         return start;
     }
 
-    /** A ray needs only look at the first of its cell, and what is nearest to the lamp darkens most. */
+    /** A ray needs only look at the first of its cell, and what is nearest to the source darkens most. */
     private void sortByDepth(int[] start) {
         for (int cell = 0; cell < next.length; cell++) {
             Arrays.sort(sorted, start[cell], start[cell + 1]);

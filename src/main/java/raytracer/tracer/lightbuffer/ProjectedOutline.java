@@ -4,10 +4,10 @@ import java.util.Arrays;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.kernel.Batch;
 
-/** How a thing is seen on a {@link CubeFace}: a triangle, or a box around something round. Serves thing after thing. */
+/** How a primitive is seen on a {@link CubeFace}: a triangle, or a box around something round. Serves primitive after primitive. */
 public final class ProjectedOutline {
 
-    // The triangle, as seen from the lamp.
+    // The triangle, as seen from the source.
     private double ax, ay, az;
     private double bx, by, bz;
     private double cx, cy, cz;
@@ -16,8 +16,8 @@ public final class ProjectedOutline {
     private double nearest;
 
     // The box around what is seen.
-    private double leastU, greatestU;
-    private double leastV, greatestV;
+    private double minU, maxU;
+    private double minV, maxV;
 
     // By edge: e u + f v + g is negative outside.
     private double e0, f0, g0;
@@ -26,8 +26,8 @@ public final class ProjectedOutline {
 
     private int[] cells = new int[64];
 
-    /** Takes one of the hulls, which are in the tree's space and as seen from the lamp but for their radii. */
-    void take(BoundingShapes.Chunk hulls, int i, double scale) {
+    /** Takes one of the hulls, which are in the tree's space and as seen from the source but for their radii. */
+    void set(BoundingShapes.Chunk hulls, int i, double scale) {
         ax = hulls.a().x()[i];
         ay = hulls.a().y()[i];
         az = hulls.a().z()[i];
@@ -45,9 +45,9 @@ public final class ProjectedOutline {
         int face = CubeFace.number(ax, ay, az);
         int axis = face / 2;
         double sign = face % 2 == 0 ? 1 : -1;
-        double room = axis == 0 ? least(room(sign * ax, ay, az), room(sign * bx, by, bz), room(sign * cx, cy, cz))
-                : axis == 1 ? least(room(sign * ay, az, ax), room(sign * by, bz, bx), room(sign * cy, cz, cx))
-                : least(room(sign * az, ax, ay), room(sign * bz, bx, by), room(sign * cz, cx, cy));
+        double room = axis == 0 ? min(room(sign * ax, ay, az), room(sign * bx, by, bz), room(sign * cx, cy, cz))
+                : axis == 1 ? min(room(sign * ay, az, ax), room(sign * by, bz, bx), room(sign * cy, cz, cx))
+                : min(room(sign * az, ax, ay), room(sign * bz, bx, by), room(sign * cz, cx, cy));
         return room > 2 * radius ? face : -1;
     }
 
@@ -61,19 +61,19 @@ public final class ProjectedOutline {
         double depthA = face.depth(ax, ay, az), ua = face.across(ax, ay, az), va = face.down(ax, ay, az);
         double depthB = face.depth(bx, by, bz), ub = face.across(bx, by, bz), vb = face.down(bx, by, bz);
         double depthC = face.depth(cx, cy, cz), uc = face.across(cx, cy, cz), vc = face.down(cx, cy, cz);
-        nearest = least(depthA, depthB, depthC) - radius;
+        nearest = min(depthA, depthB, depthC) - radius;
         if (face.isParallel()) {
             span(ua, va, ub, vb, uc, vc, radius * face.spreadU(), radius * face.spreadV());
             return true;
         }
-        if (greatest(depthA, depthB, depthC) + radius < 0) {
+        if (max(depthA, depthB, depthC) + radius < 0) {
             return false;
         }
         if (nearest <= radius) {
             if (isBeside(ua, ub, uc, depthA, depthB, depthC) || isBeside(va, vb, vc, depthA, depthB, depthC)) {
                 return false;
             }
-            // Around the lamp, or nearly: it may be anywhere.
+            // Around the source, or nearly: it may be anywhere.
             span(0, 0, 0, 0, 0, 0, 1, 1);
         } else {
             ua /= depthA;
@@ -82,42 +82,42 @@ public final class ProjectedOutline {
             vb /= depthB;
             uc /= depthC;
             vc /= depthC;
-            // Tangents to a circle of radius r about (w, u w) meet depth 1 no farther from u than
+            // Tangents to a circle of radius r about (w, u w) cross depth 1 no farther from u than
             // r sqrt(1 + u^2) / (w - r).
             double perRoot = radius / nearest;
             span(ua, va, ub, vb, uc, vc, perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
         }
-        return face.overlaps(leastU, greatestU, leastV, greatestV);
+        return face.overlaps(minU, maxU, minV, maxV);
     }
 
     /** Whether all of it is outside of one of two sides of the pyramid below the face, which stand at 45 degrees. */
     private boolean isBeside(double a, double b, double c, double depthA, double depthB, double depthC) {
-        double beyond = Math.max(least(a - depthA, b - depthB, c - depthC),
-                least(-a - depthA, -b - depthB, -c - depthC));
+        double beyond = Math.max(min(a - depthA, b - depthB, c - depthC),
+                min(-a - depthA, -b - depthB, -c - depthC));
         return beyond > 1.5 * radius;
     }
 
     /** The root of 1 + the greatest square. */
     private static double root(double a, double b, double c) {
-        double most = greatest(Math.abs(a), Math.abs(b), Math.abs(c));
-        return Math.sqrt(1 + most * most);
+        double max = max(Math.abs(a), Math.abs(b), Math.abs(c));
+        return Math.sqrt(1 + max * max);
     }
 
-    private static double least(double a, double b, double c) {
+    private static double min(double a, double b, double c) {
         return Math.min(a, Math.min(b, c));
     }
 
-    private static double greatest(double a, double b, double c) {
+    private static double max(double a, double b, double c) {
         return Math.max(a, Math.max(b, c));
     }
 
     /** Sets the box and the edges around the corners and all that is so far from them. */
     private void span(double ua, double va, double ub, double vb, double uc, double vc,
             double marginU, double marginV) {
-        leastU = least(ua, ub, uc) - marginU;
-        greatestU = greatest(ua, ub, uc) + marginU;
-        leastV = least(va, vb, vc) - marginV;
-        greatestV = greatest(va, vb, vc) + marginV;
+        minU = min(ua, ub, uc) - marginU;
+        maxU = max(ua, ub, uc) + marginU;
+        minV = min(va, vb, vc) - marginV;
+        maxV = max(va, vb, vc) + marginV;
         double turn = (ub - ua) * (vc - va) - (uc - ua) * (vb - va) > 0 ? 1 : -1;
         e0 = turn * (va - vb);
         f0 = turn * (ub - ua);
@@ -142,13 +142,13 @@ public final class ProjectedOutline {
 
     /** How many cells there are in the box around it. */
     long cellsAround(CubeFace face) {
-        return (face.column(greatestU) - face.column(leastU) + 1L) * (face.row(greatestV) - face.row(leastV) + 1);
+        return (face.column(maxU) - face.column(minU) + 1L) * (face.row(maxV) - face.row(minV) + 1);
     }
 
     /** Finds the {@link #cell}s in which it is seen, those that no edge has all outside; returns how many. */
     int findCells(CubeFace face) {
-        int firstColumn = face.column(leastU), lastColumn = face.column(greatestU);
-        int firstRow = face.row(leastV), lastRow = face.row(greatestV);
+        int firstColumn = face.column(minU), lastColumn = face.column(maxU);
+        int firstRow = face.row(minV), lastRow = face.row(maxV);
         if (cells.length < cellsAround(face)) {
             cells = Arrays.copyOf(cells, (int) (2 * cellsAround(face)));
         }
@@ -163,7 +163,7 @@ public final class ProjectedOutline {
             for (int column = firstColumn; column <= lastColumn; column++) {
                 double u = face.u(column);
                 cells[found] = face.cell(column, row);
-                found += least(e0 * u + row0, e1 * u + row1, e2 * u + row2) >= 0 ? 1 : 0;
+                found += min(e0 * u + row0, e1 * u + row1, e2 * u + row2) >= 0 ? 1 : 0;
             }
         }
         return found;

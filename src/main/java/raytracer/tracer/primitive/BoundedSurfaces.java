@@ -13,36 +13,36 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
-/** Surfaces of a finite size, many of them: a tree finds the few that a ray may meet. */
+/** Surfaces of a finite size, many of them: a tree finds the few that a ray may hit. */
 public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Triangles {
 
-    private final int firstSlot;
+    private final int firstSurface;
     private final int count;
     private final Bvh bvh;
     private final Map<LightSource, LazyLightBuffer> lightBuffers;
 
     /** @param hulls by number among these */
-    BoundedSurfaces(int firstSlot, Bvh bvh, BoundingShapes hulls, List<Viewpoint> viewpoints) {
-        this.firstSlot = firstSlot;
+    BoundedSurfaces(int firstSurface, Bvh bvh, BoundingShapes hulls, List<Viewpoint> viewpoints) {
+        this.firstSurface = firstSurface;
         this.bvh = bvh;
         count = bvh.order().length;
         lightBuffers = LazyLightBuffer.of(viewpoints, bvh, hulls);
     }
 
     /**
-     * The distance at which a ray meets the surface with this number among these; NaN if it does not, or farther away
-     * than {@link Rays#reach}.
+     * The distance at which a ray hits the surface with this number among these; NaN if it does not, or farther away
+     * than {@link Rays#maxDistance}.
      */
     abstract double distance(Rays rays, int ray, int k);
 
     /** Bounds the error of that distance. */
     abstract double distanceError(Rays rays, int ray, int k, double t);
 
-    /** Records the surface with this number among these for a ray, if it meets it. */
+    /** Records the surface with this number among these for a ray, if it hits it. */
     public final void intersect(Rays rays, int ray, int k) {
         double t = distance(rays, ray, k);
         if (t > 0) {
-            rays.record(ray, slot(k), t);
+            rays.record(ray, surface(k), t);
         }
     }
 
@@ -53,7 +53,7 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
         }
         BvhWalk walk = workspace.walk;
         if (walk.start(bvh, rays.ox[ray], rays.oy[ray], rays.oz[ray], rays.dx[ray], rays.dy[ray], rays.dz[ray])) {
-            while (walk.nextLeaf(rays.reach(ray))) {
+            while (walk.nextLeaf(rays.maxDistance(ray))) {
                 for (int k = walk.first(); k < walk.end(); k++) {
                     collect(rays, ray, k, candidates);
                 }
@@ -64,7 +64,7 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
     private void collect(Rays rays, int ray, int k, Candidates candidates) {
         double t = distance(rays, ray, k);
         if (t > 0) {
-            candidates.add(slot(k), t, distanceError(rays, ray, k, t));
+            candidates.add(surface(k), t, distanceError(rays, ray, k, t));
         }
     }
 
@@ -80,7 +80,7 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
             double originError, double directionError, Workspace workspace);
 
     /**
-     * Which of some surfaces, no more than a leaf has, the ray in {@link #look} may meet, at a glance: a bit for each,
+     * Which of some surfaces, no more than a leaf has, the ray in {@link #look} may hit, at a glance: a bit for each,
      * the first one's lowest. No branch depends on what is seen, for the processor would often guess it wrong.
      */
     public abstract int inSight(int first, int end, Workspace workspace);
@@ -93,22 +93,22 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
         return bvh;
     }
 
-    /** Null if there is none for a lamp, nor will be. */
-    public final LazyLightBuffer lightBuffer(LightSource lamp) {
-        return lightBuffers.get(lamp);
+    /** Null if there is none for a light, nor will be. */
+    public final LazyLightBuffer lightBuffer(LightSource light) {
+        return lightBuffers.get(light);
     }
 
-    final int slot(int k) {
-        return firstSlot + k;
+    final int surface(int k) {
+        return firstSurface + k;
     }
 
-    final int number(int slot) {
-        return slot - firstSlot;
+    final int number(int surface) {
+        return surface - firstSurface;
     }
 
     @Override
-    public final boolean owns(int slot) {
-        return slot >= firstSlot && slot < firstSlot + count;
+    public final boolean owns(int surface) {
+        return surface >= firstSurface && surface < firstSurface + count;
     }
 
     /** Computes what {@link #intersectAll} needs to know of rays, from one index to another. */
@@ -117,9 +117,9 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
     /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
     public abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace);
 
-    /** Records the surface with this number among these for rays, from one index to another, that meet it. */
+    /** Records the surface with this number among these for rays, from one index to another, that hit it. */
     public abstract void intersectAll(Rays rays, int from, int to, int k, Workspace workspace);
 
-    /** Closes every open shadow ray from one index to another that the surface with this number among these blocks. */
+    /** Occludes every shadow ray from one index to another that the surface with this number among these blocks. */
     public abstract void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace);
 }

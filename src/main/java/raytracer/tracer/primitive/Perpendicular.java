@@ -5,7 +5,7 @@ import raytracer.tracer.kernel.Vectors;
 
 /**
  * The perpendicular from a point c to rays: how far along a ray its origin is from the foot, by how much its square is
- * less than another, and where a ray so meets the sphere around c. Rays that start at the same point come to the same
+ * less than another, and where a ray so hits the sphere around c. Rays that start at the same point come to the same
  * numbers, to the last bit, from half as many ({@link Kernel.DotWith} and {@link InsideOfOne}).
  */
 public final class Perpendicular {
@@ -25,7 +25,7 @@ public final class Perpendicular {
     }
 
     /** inside = most - |o - c - along d|^2 */
-    record Inside(Vectors origin, double cx, double cy, double cz, double most, Vectors direction, double[] along,
+    record Inside(Vectors origin, double cx, double cy, double cz, double max, Vectors direction, double[] along,
             double[] inside) implements Kernel {
         @Override
         public void run(int from, int to) {
@@ -36,13 +36,13 @@ public final class Perpendicular {
                 double ex = ox[i] - cx - along[i] * dx[i];
                 double ey = oy[i] - cy - along[i] * dy[i];
                 double ez = oz[i] - cz - along[i] * dz[i];
-                inside[i] = most - (ex * ex + ey * ey + ez * ez);
+                inside[i] = max - (ex * ex + ey * ey + ez * ez);
             }
         }
     }
 
     /** inside = most - |(x, y, z) - along d|^2, where (x, y, z) is the o - c of all */
-    record InsideOfOne(double x, double y, double z, double most, Vectors direction, double[] along, double[] inside)
+    record InsideOfOne(double x, double y, double z, double max, Vectors direction, double[] along, double[] inside)
             implements Kernel {
         @Override
         public void run(int from, int to) {
@@ -51,13 +51,13 @@ public final class Perpendicular {
                 double ex = x - along[i] * dx[i];
                 double ey = y - along[i] * dy[i];
                 double ez = z - along[i] * dz[i];
-                inside[i] = most - (ex * ex + ey * ey + ez * ez);
+                inside[i] = max - (ex * ex + ey * ey + ez * ez);
             }
         }
     }
 
     /**
-     * How far away rays that start at the same point outside a sphere first meet it, if they do: the same as
+     * How far away rays that start at the same point outside a sphere first hit it, if they do: the same as
      * {@link Spheres} computes for one ray.
      *
      * @param power  of that point

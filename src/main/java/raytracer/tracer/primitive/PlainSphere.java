@@ -26,11 +26,11 @@ public final class PlainSphere {
     }
 
     /**
-     * Takes what is met clearly, and nearer than all before; lists the rays that need a closer look.
+     * Takes what is hit clearly, and nearer than all before; lists the rays that need a closer look.
      *
-     * @param doubt whether a ray meets the sphere is certain unless the square of half the chord is nearer to 0
+     * @param doubt whether a ray hits the sphere is certain unless the square of half the chord is nearer to 0
      */
-    record TakeNearer(Rays rays, double doubt, int slot, Workspace workspace) implements Kernel {
+    record TakeNearer(Rays rays, double doubt, int surface, Workspace workspace) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
@@ -40,7 +40,7 @@ public final class PlainSphere {
                 if (square[i] >= doubt) {
                     if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
                         if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
-                            hit[i] = slot;
+                            hit[i] = surface;
                             distance[i] = t[i];
                         } else {
                             doubtful[count++] = i;
@@ -55,36 +55,36 @@ public final class PlainSphere {
     }
 
     /**
-     * Closes the ways to a lamp that are blocked for certain; lists the rays that need a closer look.
+     * Occludes the rays to a light that are blocked for certain; lists the rays that need a closer look.
      *
      * @param radius   of the sphere
-     * @param lampSide 1 if the lamp is outside of it, -1 inside, 0 on it
+     * @param lightSide 1 if the light is outside of it, -1 inside, 0 on it
      */
-    record Close(Rays rays, ShadowRays shadows, double radius, int slot, int lampSide, Workspace workspace)
+    record Close(Rays rays, ShadowRays shadows, double radius, int surface, int lightSide, Workspace workspace)
             implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] square = workspace.square, along = workspace.along, distance = shadows.distance;
             double[] error = shadows.originError;
-            boolean[] open = shadows.unoccluded;
+            boolean[] unoccluded = shadows.unoccluded;
             int[] hit = rays.hit, doubtful = workspace.doubtful;
             int count = 0;
             for (int i = from; i < to; i++) {
-                if (open[i] && !isClear(square[i], radius, error[i])) {
+                if (unoccluded[i] && !isClear(square[i], radius, error[i])) {
                     boolean behind = along[i] >= 0;
-                    boolean plain = hit[i] == slot ? behind : lampSide > 0
+                    boolean plain = hit[i] == surface ? behind : lightSide > 0
                             && isPlain(along[i], square[i], radius, error[i]);
                     if (!plain) {
                         doubtful[count++] = i;
                     } else if (!behind && -along[i] < distance[i]) {
-                        open[i] = false;
+                        unoccluded[i] = false;
                     }
                 }
             }
             workspace.doubtfulCount = count;
         }
 
-        /** Whether a ray clearly starts outside a sphere, and meets it clearly or has it behind. */
+        /** Whether a ray clearly starts outside a sphere, and hits it clearly or has it behind. */
         private static boolean isPlain(double along, double square, double r, double error) {
             double power = along * along - square;
             return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)

@@ -10,16 +10,16 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
-/** Infinite planes: few, and met by nearly every ray, so every ray tries each. */
+/** Infinite planes: few, and hit by nearly every ray, so every ray tries each. */
 public final class Planes implements Surfaces {
 
-    private final int firstSlot;
+    private final int firstSurface;
     private final int count;
     private final double[] px, py, pz;
     private final double[] nx, ny, nz;
 
-    public Planes(List<Shape.Plane> planes, int firstSlot) {
-        this.firstSlot = firstSlot;
+    public Planes(List<Shape.Plane> planes, int firstSurface) {
+        this.firstSurface = firstSurface;
         count = planes.size();
         px = new double[count];
         py = new double[count];
@@ -39,11 +39,11 @@ public final class Planes implements Surfaces {
     }
 
     @Override
-    public boolean owns(int slot) {
-        return slot >= firstSlot && slot < firstSlot + count;
+    public boolean owns(int surface) {
+        return surface >= firstSurface && surface < firstSurface + count;
     }
 
-    /** What records for every ray the nearest that it meets among these. */
+    /** What records for every ray the nearest that it hits among these. */
     public Kernel intersecting(Rays rays, Workspace workspace) {
         return (from, to) -> findClosestHits(rays, from, to, workspace);
     }
@@ -55,7 +55,7 @@ public final class Planes implements Surfaces {
         }
     }
 
-    /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it meets it. */
+    /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it hits it. */
     private void measure(Rays rays, int k, int from, int to, Workspace workspace) {
         offsets(rays, k, workspace.along, from, to);
         cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, workspace.square, from, to);
@@ -92,15 +92,15 @@ public final class Planes implements Surfaces {
 
     private void record(Rays rays, int k, double[] offset, double[] cosine, double[] distance, int from, int to) {
         for (int i = from; i < to; i++) {
-            if (isMet(rays, i, k, offset[i], cosine[i], distance[i])) {
-                rays.record(i, firstSlot + k, distance[i]);
+            if (isHit(rays, i, k, offset[i], cosine[i], distance[i])) {
+                rays.record(i, firstSurface + k, distance[i]);
             }
         }
     }
 
-    private boolean isMet(Rays rays, int i, int k, double offset, double cosine, double t) {
-        return t > 0 && t <= rays.reach(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
-                && rays.source[i] != firstSlot + k
+    private boolean isHit(Rays rays, int i, int k, double offset, double cosine, double t) {
+        return t > 0 && t <= rays.maxDistance(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
+                && rays.source[i] != firstSurface + k
                 && Math.abs(offset) > Rounding.planeOffset(rays.originError[i], products(rays, i, k))
                         + rays.slide[i] * Math.abs(cosine);
     }
@@ -119,21 +119,21 @@ public final class Planes implements Surfaces {
         for (int k = 0; k < count; k++) {
             measure(rays, k, i, i + 1, workspace);
             double cosine = workspace.square[i], t = workspace.distance[i];
-            if (isMet(rays, i, k, workspace.along[i], cosine, t)) {
-                candidates.add(firstSlot + k, t, Rounding.planeDistance(
+            if (isHit(rays, i, k, workspace.along[i], cosine, t)) {
+                candidates.add(firstSurface + k, t, Rounding.planeDistance(
                         rays.originError[i], rays.directionError[i], products(rays, i, k), t, cosine));
             }
         }
     }
 
-    /** What closes every open shadow ray that one of these blocks between its ends. */
+    /** What occludes every shadow ray that one of these blocks between its ends. */
     public Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
         return (from, to) -> block(rays, shadows, from, to, workspace);
     }
 
     private void block(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
         for (int k = 0; k < count; k++) {
-            int side = sideOfLamp(shadows.lamp, k);
+            int side = sideOfLight(shadows.light, k);
             if (side != 0) {
                 offsets(rays, k, workspace.along, from, to);
                 close(rays, shadows.unoccluded, k, side, workspace.along, from, to);
@@ -141,24 +141,24 @@ public final class Planes implements Surfaces {
         }
     }
 
-    /** 1 if a lamp is on the side of a plane to which the normal points, -1 if on the other, 0 if in the plane. */
-    private int sideOfLamp(LightSource lamp, int k) {
-        if (lamp.directional()) {
-            double cosine = lamp.x() * nx[k] + lamp.y() * ny[k] + lamp.z() * nz[k];
+    /** 1 if a light is on the side of a plane to which the normal points, -1 if on the other, 0 if in the plane. */
+    private int sideOfLight(LightSource light, int k) {
+        if (light.directional()) {
+            double cosine = light.x() * nx[k] + light.y() * ny[k] + light.z() * nz[k];
             return Math.abs(cosine) > Rounding.cosine(2 * Rounding.U) ? (int) Math.signum(cosine) : 0;
         }
-        double x = lamp.x() - px[k], y = lamp.y() - py[k], z = lamp.z() - pz[k];
+        double x = light.x() - px[k], y = light.y() - py[k], z = light.z() - pz[k];
         double height = x * nx[k] + y * ny[k] + z * nz[k];
-        double bound = Rounding.planeOffset(lamp.positionError(), products(x, y, z, k));
+        double bound = Rounding.planeOffset(light.positionError(), products(x, y, z, k));
         return Math.abs(height) > bound ? (int) Math.signum(height) : 0;
     }
 
-    /** Closes the ways from points that are clearly not on the lamp's side of a plane, nor on the plane. */
-    private void close(Rays rays, boolean[] open, int k, int side, double[] offset, int from, int to) {
+    /** Occludes the rays from points that are clearly not on the light's side of a plane, nor on the plane. */
+    private void close(Rays rays, boolean[] unoccluded, int k, int side, double[] offset, int from, int to) {
         for (int i = from; i < to; i++) {
             double below = side * offset[i];
-            if (below > 0 && open[i] && rays.hit[i] != firstSlot + k && below > offsetError(rays, i, k)) {
-                open[i] = false;
+            if (below > 0 && unoccluded[i] && rays.hit[i] != firstSurface + k && below > offsetError(rays, i, k)) {
+                unoccluded[i] = false;
             }
         }
     }
@@ -177,7 +177,7 @@ public final class Planes implements Surfaces {
     @Override
     public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
-            int k = rays.hit[i] - firstSlot;
+            int k = rays.hit[i] - firstSurface;
             rays.moveToPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
         }
     }

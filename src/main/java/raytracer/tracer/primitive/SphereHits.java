@@ -6,43 +6,43 @@ import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.Rays;
 
 /**
- * Takes rays to where they have met spheres: their origins become those points, with bounds on their errors, and the
+ * Takes rays to where they have hit spheres: their origins become those points, with bounds on their errors, and the
  * normals are set.
  */
 public final class SphereHits {
 
     private final double[] data;
-    private final int firstSlot;
+    private final int firstSurface;
     private final Rays rays;
-    /** By ray the sphere that it has met, in the order of a sphere's numbers. */
+    /** By ray the sphere that it has hit, in the order of a sphere's numbers. */
     private final double[][] sphere;
-    private final Kernel passes;
+    private final Kernel kernels;
 
     /** @param data spheres, {@link Spheres#STRIDE} numbers each */
-    SphereHits(double[] data, int firstSlot, Rays rays, Workspace workspace) {
+    SphereHits(double[] data, int firstSurface, Rays rays, Workspace workspace) {
         this.data = data;
-        this.firstSlot = firstSlot;
+        this.firstSurface = firstSurface;
         this.rays = rays;
         double[] radius = workspace.radius;
         Vectors centre = new Vectors(workspace.centreX, workspace.centreY, workspace.centreZ);
         sphere = new double[][] {centre.x(), centre.y(), centre.z(), radius};
-        passes = new Kernel.InTurn(
+        kernels = new Kernel.InTurn(
                 Kernel.subtract(rays.origin, centre, rays.normal),
-                new Kernel.Reach(rays.normal, workspace.reach),
+                new Kernel.L1Norm(rays.normal, workspace.l1Norm),
                 new Kernel.Dot(rays.normal, rays.direction, workspace.along),
                 // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
                 Kernel.addProduct(rays.origin, 1, rays.distance, rays.direction, rays.origin),
                 Kernel.subtract(rays.origin, centre, rays.normal),
                 new Kernel.Length(rays.normal, workspace.square),
                 new Kernel.DivideByLength(rays.normal, workspace.square),
-                Rounding.sphereSlide(workspace.reach, radius, workspace.along, rays.distance, workspace.square, rays.slide),
-                new Kernel.Reach(rays.origin, workspace.square),
+                Rounding.sphereSlide(workspace.l1Norm, radius, workspace.along, rays.distance, workspace.square, rays.slide),
+                new Kernel.L1Norm(rays.origin, workspace.square),
                 new Rounding.SpherePoint(rays.distance, workspace.square, rays.slide, radius, rays.originError,
                         rays.normalError));
     }
 
     void run(int from, int to) {
-        boolean same = rays.haveMetTheSame(from, to);
+        boolean same = rays.haveHitTheSame(from, to);
         for (int number = 0; number < Spheres.STRIDE; number++) {
             if (same) {
                 Kernel.run(new Kernel.Fill(sphere[number], data[at(from) + number]), from, to);
@@ -50,7 +50,7 @@ public final class SphereHits {
                 gather(sphere[number], number, from, to);
             }
         }
-        Kernel.run(passes, from, to);
+        Kernel.run(kernels, from, to);
     }
 
     private void gather(double[] out, int number, int from, int to) {
@@ -59,8 +59,8 @@ public final class SphereHits {
         }
     }
 
-    /** Where the numbers of the sphere are that a ray has met. */
+    /** Where the numbers of the sphere are that a ray has hit. */
     private int at(int ray) {
-        return Spheres.STRIDE * (rays.hit[ray] - firstSlot);
+        return Spheres.STRIDE * (rays.hit[ray] - firstSurface);
     }
 }

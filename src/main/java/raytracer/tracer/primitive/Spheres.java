@@ -16,7 +16,7 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
 /**
- * Spheres. Whether a ray meets one is decided by the perpendicular from the centre to the ray, which loses no digits to
+ * Spheres. Whether a ray hits one is decided by the perpendicular from the centre to the ray, which loses no digits to
  * distance (Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
  * 2019, chapter 7); where it does, by the power of the origin, which loses none to size ({@link PowerOfPoint}).
  */
@@ -31,8 +31,8 @@ public final class Spheres extends BoundedSurfaces {
     private final double[] data;
 
     /** @param spheres in the order of the tree's leaves */
-    public Spheres(List<Shape.Sphere> spheres, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints) {
-        super(firstSlot, bvh, BoundingShapes.of(spheres), viewpoints);
+    public Spheres(List<Shape.Sphere> spheres, int firstSurface, Bvh bvh, List<Viewpoint> viewpoints) {
+        super(firstSurface, bvh, BoundingShapes.of(spheres), viewpoints);
         int count = spheres.size();
         data = new double[STRIDE * count];
         for (int k = 0; k < count; k++) {
@@ -65,20 +65,20 @@ public final class Spheres extends BoundedSurfaces {
         double along = x * dx + y * dy + z * dz;
         double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
         double square = r * r - (ex * ex + ey * ey + ez * ez);
-        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double originError = rays.originError[i], directionError = rays.directionError[i];
-        double bound = Rounding.sphereSquare(originError, directionError, reach, r, along);
+        double bound = Rounding.sphereSquare(originError, directionError, l1Norm, r, along);
         if (square < -bound || PlainSphere.isClear(square, r, originError)) {
             return Double.NaN;
         }
-        double alongError = Rounding.along(originError, directionError, reach);
-        double power = rays.source[i] == slot(k)
+        double alongError = Rounding.along(originError, directionError, l1Norm);
+        double power = rays.source[i] == surface(k)
                 ? 0
                 : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
         double powerError = Rounding.power(originError, r, rays.slide[i], along);
         if (Math.abs(power) <= powerError) {
-            // The ray starts on the sphere: only the other meeting counts, if it goes inwards.
-            return along < -alongError - rays.slide[i] ? atMost(rays.reach(i), -2 * along) : Double.NaN;
+            // The ray starts on the sphere: only the other hit counts, if it goes inwards.
+            return along < -alongError - rays.slide[i] ? atMost(rays.maxDistance(i), -2 * along) : Double.NaN;
         }
         if (square < bound) {
             double error = Rounding.tangentSquare(along, alongError, power, Rounding.power(originError, r, 0, 0));
@@ -87,18 +87,18 @@ public final class Spheres extends BoundedSurfaces {
                 return Double.NaN;
             }
         }
-        return atMost(rays.reach(i), distance(power, along, Math.sqrt(Math.max(0, square))));
+        return atMost(rays.maxDistance(i), distance(power, along, Math.sqrt(Math.max(0, square))));
     }
 
-    private static double atMost(double most, double t) {
-        return t <= most ? t : Double.NaN;
+    private static double atMost(double max, double t) {
+        return t <= max ? t : Double.NaN;
     }
 
     @Override
     public void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
             double originError, double directionError, Workspace workspace) { }
 
-    /** All: a leaf is one sphere, whose box the ray has met. */
+    /** All: a leaf is one sphere, whose box the ray has hit. */
     @Override
     public int inSight(int first, int end, Workspace workspace) {
         return (1 << end - first) - 1;
@@ -129,10 +129,10 @@ public final class Spheres extends BoundedSurfaces {
             return;
         }
         // All rays start at the same point outside: what takes long to compute is the same for all.
-        double reach = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
-        double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, reach, r, reach);
+        double l1Norm = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
+        double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
         Kernel.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
-        Kernel.run(new PlainSphere.TakeNearer(rays, doubt, slot(k), workspace), from, to);
+        Kernel.run(new PlainSphere.TakeNearer(rays, doubt, surface(k), workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             intersect(rays, workspace.doubtful[n], k);
         }
@@ -140,29 +140,29 @@ public final class Spheres extends BoundedSurfaces {
 
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
-        int lampSide = sideOfLamp(shadows.lamp, k);
-        if (rays.hit[from] == slot(k) && rays.haveMetTheSame(from, to)) {
-            blockInwards(rays, shadows, from, to, k, lampSide, workspace);
+        int lightSide = sideOfLight(shadows.light, k);
+        if (rays.hit[from] == surface(k) && rays.haveHitTheSame(from, to)) {
+            blockInwards(rays, shadows, from, to, k, lightSide, workspace);
             return;
         }
         passBy(rays, shadows.direction, from, to, k, workspace);
-        Kernel.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], slot(k), lampSide, workspace), from, to);
+        Kernel.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], surface(k), lightSide, workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             int i = workspace.doubtful[n];
-            shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lampSide);
+            shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
         }
     }
 
-    /** Closes the ways that go into the sphere on which all start: the others leave it for good. */
+    /** Occludes the rays that go into the sphere on which all start: the others leave it for good. */
     private void blockInwards(
-            Rays rays, ShadowRays shadows, int from, int to, int k, int lampSide, Workspace workspace) {
+            Rays rays, ShadowRays shadows, int from, int to, int k, int lightSide, Workspace workspace) {
         double[] along = workspace.along;
-        boolean[] open = shadows.unoccluded;
+        boolean[] unoccluded = shadows.unoccluded;
         Kernel.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
                 shadows.direction, along), from, to);
         for (int i = from; i < to; i++) {
-            if (along[i] < 0 && open[i]) {
-                open[i] = !blocks(rays, shadows, i, k, lampSide);
+            if (along[i] < 0 && unoccluded[i]) {
+                unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
             }
         }
     }
@@ -191,7 +191,7 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     /**
-     * The distance to the first meeting, not positive if there is none. The two distances multiply to the power and add
+     * The distance to the first hit, not positive if there is none. The two distances multiply to the power and add
      * up to -2 along; each is computed in the way that subtracts nothing alike.
      */
     private static double distance(double power, double along, double half) {
@@ -202,28 +202,28 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     /**
-     * Whether a sphere is met strictly between a point and a light. It follows from which of them are outside, inside
+     * Whether a sphere is hit strictly between a point and a light. It follows from which of them are outside, inside
      * and on the sphere, and needs no distance.
      */
     @Override
     public boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
-        return blocks(rays, shadows, i, k, sideOfLamp(shadows.lamp, k));
+        return blocks(rays, shadows, i, k, sideOfLight(shadows.light, k));
     }
 
-    private boolean blocks(Rays rays, ShadowRays shadows, int i, int k, int lampSide) {
+    private boolean blocks(Rays rays, ShadowRays shadows, int i, int k, int lightSide) {
         double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double along = x * dx + y * dy + z * dz;
-        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double originError = rays.originError[i];
         double slide = rays.slide[i];
-        double alongError = Rounding.along(originError, 2 * Rounding.U, reach) + slide;
+        double alongError = Rounding.along(originError, 2 * Rounding.U, l1Norm) + slide;
         int side = 0;
-        if (rays.hit[i] != slot(k)) {
+        if (rays.hit[i] != surface(k)) {
             double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
             double square = r * r - (ex * ex + ey * ey + ez * ez);
-            double bound = Rounding.sphereSquare(shadows.originError[i], 2 * Rounding.U, reach, r, along);
+            double bound = Rounding.sphereSquare(shadows.originError[i], 2 * Rounding.U, l1Norm, r, along);
             if (square < -bound || PlainSphere.isClear(square, r, shadows.originError[i])) {
                 return false;
             }
@@ -238,22 +238,22 @@ public final class Spheres extends BoundedSurfaces {
         }
         if (side == 0) {
             // It must go inwards, and come out again before the light.
-            return along < -alongError && lampSide > 0;
+            return along < -alongError && lightSide > 0;
         }
-        if (side < 0 || lampSide < 0) {
-            return side * lampSide < 0;
+        if (side < 0 || lightSide < 0) {
+            return side * lightSide < 0;
         }
         // The middle of the way through the sphere must be before the light: clearly so, if the light is on the sphere.
         return along < 0 && -along < shadows.distance[i]
-                - (lampSide > 0 ? 0 : alongError + Rounding.lampDistance(shadows.lamp.positionError(), shadows.distance[i]));
+                - (lightSide > 0 ? 0 : alongError + Rounding.lightDistance(shadows.light.positionError(), shadows.distance[i]));
     }
 
-    private int sideOfLamp(LightSource lamp, int k) {
-        if (lamp.directional()) {
+    private int sideOfLight(LightSource light, int k) {
+        if (light.directional()) {
             return 1;
         }
-        double error = Rounding.power(lamp.positionError(), data[STRIDE * k + 3], 0, 0);
-        return sign(power(lamp.x(), lamp.y(), lamp.z(), error, k), error);
+        double error = Rounding.power(light.positionError(), data[STRIDE * k + 3], 0, 0);
+        return sign(power(light.x(), light.y(), light.z(), error, k), error);
     }
 
     /** 1 if a point is outside a sphere, -1 inside, 0 on it. */
@@ -286,6 +286,6 @@ public final class Spheres extends BoundedSurfaces {
 
     /** Apart: C2 compiles a constructor into its caller, however rarely it is called. */
     private void prepareToMove(Rays rays, Workspace workspace) {
-        workspace.sphereHits = new SphereHits(data, slot(0), rays, workspace);
+        workspace.sphereHits = new SphereHits(data, surface(0), rays, workspace);
     }
 }

@@ -3,10 +3,9 @@ package raytracer.tracer.primitive;
 import raytracer.scene.Material;
 
 /**
- * What is known of every surface by its slot.
+ * What is known of every surface by its index.
  *
- * @param declared its number in the order of declaration
- * @param look     which look it has; surfaces of one look are of one kind and one material
- * @param material by look
+ * @param declared      its number in the order of declaration
+ * @param materialIndex which of the materials it has; surfaces of different kinds never share one
  */
-public record SurfaceTable(int[] declared, int[] look, Material[] material) { }
+public record SurfaceTable(int[] declared, int[] materialIndex, Material[] materials) { }

@@ -138,11 +138,11 @@ public final class TriangleSieve {
             momentY = (float) (z * dx - x * dz);
             momentZ = (float) (x * dy - y * dx);
             // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
-            double reach = 2 * (far + 4);
+            double l1Norm = 2 * (far + 4);
             // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side
             // for edges up to twice as long as the bound here); and a walk moves the origin, by which a side is
             // off by less than another two such bounds.
-            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, reach, 1));
+            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, l1Norm, 1));
         }
     }
 }

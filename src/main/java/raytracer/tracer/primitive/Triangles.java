@@ -17,13 +17,13 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
 /**
- * Triangles. A ray meets one where it meets its plane, if it passes all three edges on the same side. The side of an
+ * Triangles. A ray hits one where it hits its plane, if it passes all three edges on the same side. The side of an
  * edge is the sign of direction . (a x b), a and b being the edge's ends seen from the origin: two triangles that share
  * an edge compute the same number for it but for its sign, so no ray slips between them (the argument of Woop, Benthin
  * and Wald, Watertight Ray/Triangle Intersection, JCGT 2013, in the coordinates of Davidovic et al., 3D Rasterization:
  * A Bridge between Rasterization and Ray Casting, 2012). At a corner many edges meet, and their rounded signs may
  * contradict one another so that no triangle is left; therefore a ray that rounding cannot tell from an edge is on it,
- * and meets both sides. A triangle without area has a normal of NaNs, by which every comparison fails: none meets it.
+ * and hits both sides. A triangle without area has a normal of NaNs, by which every comparison fails: none hits it.
  */
 public final class Triangles extends BoundedSurfaces {
 
@@ -38,7 +38,7 @@ public final class Triangles extends BoundedSurfaces {
     private static final double SIEVE = 64;
 
     /**
-     * A ray whose cosine with a triangle's normal is greater meets the triangle's plane at a distance that is exact
+     * A ray whose cosine with a triangle's normal is greater hits the triangle's plane at a distance that is exact
      * enough to be compared with others at once: off by less than {@link Rounding#TIE_SIEVE}.
      */
     private static final double GRAZING = 0x1p-16;
@@ -49,7 +49,7 @@ public final class Triangles extends BoundedSurfaces {
      */
     private static final double IN_BOX = 0x1p-26;
 
-    /** Of the distance at which a ray meets a triangle's plane: a corner farther away than this is far. */
+    /** Of the distance at which a ray hits a triangle's plane: a corner farther away than this is far. */
     private static final double FAR = 16;
 
     private final Mesh mesh;
@@ -60,8 +60,8 @@ public final class Triangles extends BoundedSurfaces {
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
-    public Triangles(Mesh mesh, int firstSlot, Bvh bvh, List<Viewpoint> viewpoints, ForkJoinPool pool) {
-        super(firstSlot, bvh, BoundingShapes.of(mesh, bvh.order()), viewpoints);
+    public Triangles(Mesh mesh, int firstSurface, Bvh bvh, List<Viewpoint> viewpoints, ForkJoinPool pool) {
+        super(firstSurface, bvh, BoundingShapes.of(mesh, bvh.order()), viewpoints);
         this.mesh = mesh;
         order = bvh.order();
         data = new double[Math.multiplyExact(STRIDE, order.length)];
@@ -103,7 +103,7 @@ public final class Triangles extends BoundedSurfaces {
 
     @Override
     double distance(Rays rays, int i, int k) {
-        if (rays.source[i] == slot(k)) {
+        if (rays.source[i] == surface(k)) {
             return Double.NaN;
         }
         double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
@@ -111,7 +111,7 @@ public final class Triangles extends BoundedSurfaces {
         double offset = ax * nx + ay * ny + az * nz;
         double cosine = rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz;
         double t = offset / cosine;
-        double limit = rays.reach(i);
+        double limit = rays.maxDistance(i);
         if (!(t > 0) || t > limit && (Math.abs(cosine) > GRAZING || isBeyond(rays, i, ax, ay, az, t - limit, cosine))
                 || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])) {
             return Double.NaN;
@@ -133,7 +133,7 @@ public final class Triangles extends BoundedSurfaces {
     private static boolean isBeyond(
             Rays rays, int i, double ax, double ay, double az, double beyond, double cosine) {
         double cosineError = Rounding.cosine(rays.directionError[i]);
-        return beyond * (Math.abs(cosine) - cosineError) > rays.reach(i) * cosineError
+        return beyond * (Math.abs(cosine) - cosineError) > rays.maxDistance(i) * cosineError
                 + Rounding.planeOffset(rays.originError[i], Math.abs(ax) + Math.abs(ay) + Math.abs(az));
     }
 
@@ -150,7 +150,7 @@ public final class Triangles extends BoundedSurfaces {
 
     @Override
     public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) {
-        workspace.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : greatest(rays.directionError, from, to);
+        workspace.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : max(rays.directionError, from, to);
         prepare(rays, rays.direction, rays.originError, from, to, workspace);
     }
 
@@ -162,16 +162,16 @@ public final class Triangles extends BoundedSurfaces {
 
     private static void prepare(Rays rays, Vectors d, double[] originError, int from, int to, Workspace workspace) {
         Vectors.cross(rays.origin, d, workspace.moment, from, to);
-        workspace.farthest = greatest(rays.ox, from, to) + greatest(rays.oy, from, to) + greatest(rays.oz, from, to);
-        workspace.originError = greatest(originError, from, to);
+        workspace.farthest = max(rays.ox, from, to) + max(rays.oy, from, to) + max(rays.oz, from, to);
+        workspace.originError = max(originError, from, to);
     }
 
-    private static double greatest(double[] values, int from, int to) {
-        double greatest = 0;
+    private static double max(double[] values, int from, int to) {
+        double max = 0;
         for (int i = from; i < to; i++) {
-            greatest = Math.max(greatest, Math.abs(values[i]));
+            max = Math.max(max, Math.abs(values[i]));
         }
-        return greatest;
+        return max;
     }
 
     @Override
@@ -209,12 +209,12 @@ public final class Triangles extends BoundedSurfaces {
         sides(k, 0, 1, d, ab, from, to, workspace);
         sides(k, 1, 2, d, bc, from, to, workspace);
         sides(k, 2, 0, d, ca, from, to, workspace);
-        Kernel.run(new LeastProduct(ab, bc, ca, workspace.square), from, to);
+        Kernel.run(new MinProduct(ab, bc, ca, workspace.square), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
-        double reach = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
+        double l1Norm = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
                 + workspace.farthest;
-        double most = 4 * edges * reach;
-        return -most * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, reach, edges);
+        double max = 4 * edges * l1Norm;
+        return -max * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, l1Norm, edges);
     }
 
     /** |x| + |y| + |z| of the edge between two corners. */
@@ -235,7 +235,7 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */
-    private record LeastProduct(double[] a, double[] b, double[] c, double[] out) implements Kernel {
+    private record MinProduct(double[] a, double[] b, double[] c, double[] out) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
@@ -253,12 +253,12 @@ public final class Triangles extends BoundedSurfaces {
 
     /**
      * What {@link Rounding#planeOffset} takes of a triangle's plane: |x| + |y| + |z| of the first corner, seen from
-     * where a ray starts; or less, if that is far beyond where the ray meets the plane.
+     * where a ray starts; or less, if that is far beyond where the ray hits the plane.
      */
     private double products(Rays rays, int i, int k, double t) {
         double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
-        double reach = Math.abs(x) + Math.abs(y) + Math.abs(z);
-        return reach <= FAR * t ? reach : Math.min(reach, productsOfFar(k, x, y, z));
+        double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        return l1Norm <= FAR * t ? l1Norm : Math.min(l1Norm, productsOfFar(k, x, y, z));
     }
 
     /** By coordinates: the normal's error is 4u of the magnitudes that its products have, and may be none. */
@@ -271,7 +271,7 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     /**
-     * The distance at which a ray meets a triangle, given that at which it meets its plane; NaN if it misses. A ray
+     * The distance at which a ray hits a triangle, given that at which it hits its plane; NaN if it misses. A ray
      * that passes all edges on the same side by more than rounding hits. One that rounding cannot tell from an edge
      * does too, if it comes near the triangle: seen edge-on, or beyond the tip of a needle, the edges' sides alone do
      * not tell. The distance then is one inside the triangle's box, so that no search overlooks it.
@@ -310,11 +310,11 @@ public final class Triangles extends BoundedSurfaces {
             double speed = axis == 0 ? x : axis == 1 ? y : z;
             double from = axis == 0 ? rays.ox[i] : axis == 1 ? rays.oy[i] : rays.oz[i];
             double a = corner(k, 0, axis) - from, b = corner(k, 1, axis) - from, c = corner(k, 2, axis) - from;
-            double least = Math.min(a, Math.min(b, c)) - margin, greatest = Math.max(a, Math.max(b, c)) + margin;
+            double min = Math.min(a, Math.min(b, c)) - margin, max = Math.max(a, Math.max(b, c)) + margin;
             if (speed != 0) {
-                near = Math.max(near, (speed > 0 ? least : greatest) / speed);
-                far = Math.min(far, (speed > 0 ? greatest : least) / speed);
-            } else if (!(least <= 0 && greatest >= 0)) {
+                near = Math.max(near, (speed > 0 ? min : max) / speed);
+                far = Math.min(far, (speed > 0 ? max : min) / speed);
+            } else if (!(min <= 0 && max >= 0)) {
                 return Double.NaN;
             }
         }
@@ -337,7 +337,7 @@ public final class Triangles extends BoundedSurfaces {
 
     @Override
     public boolean blocks(Rays rays, ShadowRays shadows, int i, int k) {
-        if (rays.hit[i] == slot(k)) {
+        if (rays.hit[i] == surface(k)) {
             return false;
         }
         double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
@@ -350,18 +350,18 @@ public final class Triangles extends BoundedSurfaces {
                 && within(rays, shadows.direction, i, k, shadows.originError[i], 2 * Rounding.U,
                         offset / cosine) > 0
                 && startsOff(rays, i, k, x, y, z, offset)
-                && isBeforeLamp(shadows.lamp, k, offset);
+                && isBeforeLight(shadows.light, k, offset);
     }
 
-    /** Whether the plane of a triangle has the lamp on the other side than the point with this offset. */
-    private boolean isBeforeLamp(LightSource lamp, int k, double offset) {
-        if (lamp.directional()) {
+    /** Whether the plane of a triangle has the light on the other side than the point with this offset. */
+    private boolean isBeforeLight(LightSource light, int k, double offset) {
+        if (light.directional()) {
             return true;
         }
-        double x = corner(k, 0, 0) - lamp.x(), y = corner(k, 0, 1) - lamp.y(), z = corner(k, 0, 2) - lamp.z();
-        double lampOffset = x * data[STRIDE * k] + y * data[STRIDE * k + 1] + z * data[STRIDE * k + 2];
-        double bound = Rounding.planeOffset(lamp.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
-        return offset > 0 ? lampOffset < -bound : lampOffset > bound;
+        double x = corner(k, 0, 0) - light.x(), y = corner(k, 0, 1) - light.y(), z = corner(k, 0, 2) - light.z();
+        double lightOffset = x * data[STRIDE * k] + y * data[STRIDE * k + 1] + z * data[STRIDE * k + 2];
+        double bound = Rounding.planeOffset(light.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
+        return offset > 0 ? lightOffset < -bound : lightOffset > bound;
     }
 
     @Override

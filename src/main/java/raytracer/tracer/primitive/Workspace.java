@@ -11,7 +11,7 @@ public final class Workspace {
     public final BvhWalk walk = new BvhWalk();
     final TriangleSieve.Line line = new TriangleSieve.Line();
 
-    /** Made when the first ray meets a sphere. */
+    /** Made when the first ray hits a sphere. */
     SphereHits sphereHits;
 
     /** Rays that a pass over all of them could not decide. */
@@ -20,7 +20,7 @@ public final class Workspace {
 
     final double[] along = new double[Batch.CAPACITY];
     final double[] square = new double[Batch.CAPACITY];
-    final double[] reach = new double[Batch.CAPACITY];
+    final double[] l1Norm = new double[Batch.CAPACITY];
     final double[] distance = new double[Batch.CAPACITY];
     final double[] centreX = new double[Batch.CAPACITY];
     final double[] centreY = new double[Batch.CAPACITY];

@@ -1,6 +1,6 @@
 /**
- * Planes, spheres and triangles: at what distance a ray meets one, whether one is between a point and a light, and where
- * a ray that meets it arrives, each with bounds on its error. All surfaces of a kind lie in flat arrays. Must not know:
+ * Planes, spheres and triangles: at what distance a ray hits one, whether one is between a point and a light, and where
+ * a ray that hits it arrives, each with bounds on its error. All surfaces of a kind lie in flat arrays. Must not know:
  * how candidates are found.
  */
 package raytracer.tracer.primitive;

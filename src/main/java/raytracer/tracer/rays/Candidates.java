@@ -1,8 +1,8 @@
 package raytracer.tracer.rays;
 
-/** Takes surfaces that a ray meets, in any order. */
+/** Takes surfaces that a ray hits, in any order. */
 public interface Candidates {
 
     /** @param error bounds that of the distance */
-    void add(int slot, double distance, double error);
+    void add(int surface, double distance, double error);
 }

@@ -7,12 +7,12 @@ import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
 
 /**
- * A tile's rays, one array per quantity, and what they have met. The rays in use are the first {@link #count}; each
+ * A tile's rays, one array per quantity, and what they have hit. The rays in use are the first {@link #count}; each
  * belongs to one pixel of the tile.
  */
 public final class Rays {
 
-    /** In place of a slot: the ray leaves the eye, or it meets nothing. */
+    /** In place of a surface's index: the ray leaves the eye, or it hits nothing. */
     public static final int NONE = -1;
 
     public int count;
@@ -29,7 +29,7 @@ public final class Rays {
     public boolean areInOrder;
 
     // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
-    // along the ray itself), and apart from that. The slot of the surface it leaves.
+    // along the ray itself), and apart from that. The index of the surface it leaves.
     public final double[] ox = new double[Batch.CAPACITY];
     public final double[] oy = new double[Batch.CAPACITY];
     public final double[] oz = new double[Batch.CAPACITY];
@@ -47,7 +47,7 @@ public final class Rays {
     public final int[] hit = new int[Batch.CAPACITY];
     public final double[] distance = new double[Batch.CAPACITY];
 
-    /** The rays that have met several surfaces at about the same distance. */
+    /** The rays that have hit several surfaces at about the same distance. */
     public final int[] close = new int[Batch.CAPACITY];
     public int closeCount;
     /** By ray, that distance; negative if there is none. */
@@ -108,35 +108,35 @@ public final class Rays {
         }
     }
 
-    /** Whether all rays from one index to another have met the same surface, or none. */
-    public boolean haveMetTheSame(int from, int to) {
+    /** Whether all rays from one index to another have hit the same surface, or none. */
+    public boolean haveHitTheSame(int from, int to) {
         // Each has if the next has.
         return Arrays.equals(hit, from, to - 1, hit, from + 1, to);
     }
 
-    /** Forgets what was met. */
+    /** Forgets what was hit. */
     public void clearHits() {
         Arrays.fill(hit, 0, count, NONE);
         Kernel.run(new Kernel.Fill(distance, Double.POSITIVE_INFINITY), 0, count);
     }
 
     /** The distance beyond which no hit can be, or tie with, the nearest of a ray. */
-    public double reach(int ray) {
+    public double maxDistance(int ray) {
         return distance[ray] * (1 + Rounding.TIE_SIEVE);
     }
 
-    /** Records that a ray meets a surface, at a distance of {@link #reach} at most. */
-    public void record(int ray, int slot, double t) {
+    /** Records that a ray hits a surface, at a distance of {@link #maxDistance} at most. */
+    public void record(int ray, int surface, double t) {
         if (t >= distance[ray] * (1 - Rounding.TIE_SIEVE)) {
             recordClose(ray);
         }
         if (t < distance[ray]) {
-            hit[ray] = slot;
+            hit[ray] = surface;
             distance[ray] = t;
         }
     }
 
-    /** Records that a ray meets something else about where its nearest surface is. */
+    /** Records that a ray hits something else about where its nearest surface is. */
     private void recordClose(int ray) {
         if (closeDistance[ray] < 0) {
             close[closeCount++] = ray;
@@ -150,7 +150,7 @@ public final class Rays {
     }
 
     /**
-     * Moves a ray's origin to where it has met a plane or triangle.
+     * Moves a ray's origin to where it has hit a plane or triangle.
      *
      * @param products as for {@link Rounding#planeOffset}, seen from the old origin
      */
@@ -179,7 +179,7 @@ public final class Rays {
         System.arraycopy(hit, 0, source, 0, count);
     }
 
-    /** Keeps some of the rays that have met something, in a new order; nothing is known yet of where they arrive. */
+    /** Keeps some of the rays that have hit something, in a new order; nothing is known yet of where they arrive. */
     public void select(int[] order, int kept) {
         areInOrder = false;
         select(pixel, order, kept);

@@ -25,7 +25,7 @@ public final class Samples {
     public final double[] blue = new double[CAPACITY];
 
     /**
-     * What the ray met: samples of the same surfaces, seen by way of the same mirrors and lit by the same lights, have
+     * What the ray hit: samples of the same surfaces, seen by way of the same mirrors and lit by the same lights, have
      * the same number, and others hardly ever. All triangles of one material are taken for one surface.
      */
     public final int[] path;

@@ -29,8 +29,8 @@ public final class ShadowRays {
     public final double[] highlight = new double[Batch.CAPACITY];
 
     /** The light that the rays go to; and its position, as often as there are rays. */
-    public LightSource lamp;
-    private final Vectors lamps = new Vectors();
+    public LightSource light;
+    private final Vectors lights = new Vectors();
 
     private final Kernel aiming;
     private final Kernel addErrors;
@@ -38,7 +38,7 @@ public final class ShadowRays {
     /** @param rays that will have arrived where these start */
     public ShadowRays(Rays rays) {
         aiming = new Kernel.InTurn(
-                Kernel.subtract(lamps, rays.origin, direction),
+                Kernel.subtract(lights, rays.origin, direction),
                 new Kernel.Length(direction, distance),
                 new Kernel.DivideByLength(direction, distance));
         addErrors = new Kernel.Add(rays.originError, rays.slide, originError);
@@ -49,13 +49,13 @@ public final class ShadowRays {
         Kernel.run(addErrors, from, end);
     }
 
-    /** Sets out to a lamp from where rays, from one index to another, have arrived. */
+    /** Sets out to a light from where rays, from one index to another, have arrived. */
     public void aim(LightSource to, int from, int end) {
-        if (lamp != to) {
-            lamp = to;
-            Arrays.fill(lamps.x(), to.x());
-            Arrays.fill(lamps.y(), to.y());
-            Arrays.fill(lamps.z(), to.z());
+        if (light != to) {
+            light = to;
+            Arrays.fill(lights.x(), to.x());
+            Arrays.fill(lights.y(), to.y());
+            Arrays.fill(lights.z(), to.z());
         }
         if (to.directional()) {
             Arrays.fill(dx, from, end, to.x());

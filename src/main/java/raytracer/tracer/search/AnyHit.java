@@ -13,7 +13,7 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
 /**
- * Closes the shadow rays that surfaces of one kind block. If the rays' {@link Beam} finds few surfaces, all rays try
+ * Occludes the shadow rays that surfaces of one kind block. If the rays' {@link Beam} finds few surfaces, all rays try
  * those; else each looks up what may be in its way in a {@link LightBuffer}, once there is one, or walks the tree. For
  * one thread.
  */
@@ -34,7 +34,7 @@ public final class AnyHit implements Kernel {
     /** Where rays are looked up, if they are. */
     private LightBuffer buffer;
 
-    /** What closes every open shadow ray that a surface of one kind blocks between its ends. */
+    /** What occludes every shadow ray that a surface of one kind blocks between its ends. */
     public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new AnyHit(bounded, rays, shadows, space)
@@ -54,12 +54,12 @@ public final class AnyHit implements Kernel {
         if (bvh.oversized() > 0) {
             Kernel.run(blockOversized, from, to);
         }
-        LazyLightBuffer lazy = surfaces.lightBuffer(shadows.lamp);
+        LazyLightBuffer lazy = surfaces.lightBuffer(shadows.light);
         // What mirrors show is too scattered for a beam, nearly always.
         if (!rays.leaveEye && lazy != null && lookUp(lazy.ifBuilt(), from, to)) {
             return;
         }
-        space.beam().take(rays, shadows.lamp, from, to);
+        space.beam().enclose(rays, shadows.light, from, to);
         if (!space.beam().gather(bvh)) {
             blockEach(lazy, from, to);
         } else if (space.beam().count() > 0) {
@@ -77,7 +77,7 @@ public final class AnyHit implements Kernel {
     private void blockGathered(int from, int to) {
         surfaces.prepareToBlock(rays, shadows, from, to, space.surfaces());
         for (int n = 0; n < space.beam().count(); n++) {
-            surfaces.blockAll(rays, shadows, from, to, space.beam().thing(n), space.surfaces());
+            surfaces.blockAll(rays, shadows, from, to, space.beam().primitive(n), space.surfaces());
         }
     }
 
@@ -91,7 +91,7 @@ public final class AnyHit implements Kernel {
 
     /** Looks rays up in a light buffer; false if there is none, or they start too far away. */
     private boolean lookUp(LightBuffer in, int from, int to) {
-        if (in == null || !in.reaches(rays, from, to)) {
+        if (in == null || !in.isNearEnough(rays, from, to)) {
             return false;
         }
         buffer = in;
@@ -151,7 +151,7 @@ public final class AnyHit implements Kernel {
     private boolean anyInTheCellBlocks(int ray) {
         LightBuffer.Cells cells = space.cells();
         for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
-            int k = buffer.thing(entry);
+            int k = buffer.primitive(entry);
             if (surfaces.inSight(k, k + 1, space.surfaces()) != 0 && surfaces.blocks(rays, shadows, ray, k)) {
                 return true;
             }

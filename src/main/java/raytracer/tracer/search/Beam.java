@@ -9,24 +9,24 @@ import raytracer.tracer.rays.Rays;
 
 /**
  * All rays of a tile at once: the intervals in which their origins and directions lie. One walk of a {@link Bvh} finds
- * the things that any of them may meet (interval arithmetic as in Boulos, Wald and Shirley, Geometric and Arithmetic
+ * the primitives that any of them may hit (interval arithmetic as in Boulos, Wald and Shirley, Geometric and Arithmetic
  * Culling Methods for Entire Ray Packets, 2006). Where rays start or aim alike, those are so few that trying each with
  * all rays beats a walk per ray; where they are not, the search is given up soon.
  */
 public final class Beam {
 
-    /** The most things that are still worth trying with every ray. */
-    private static final int MOST = 24;
+    /** The most primitives that are still worth trying with every ray. */
+    private static final int MAX = 24;
 
     /** The most nodes to visit: what a few rays' own walks would. */
-    private static final int MOST_NODES = 96;
+    private static final int MAX_NODES = 96;
 
     // By axis: the intervals of origins and directions, which may be longer than 1.
-    private final double[] leastOrigin = new double[3];
-    private final double[] greatestOrigin = new double[3];
-    private final double[] leastDirection = new double[3];
-    private final double[] greatestDirection = new double[3];
-    private double reach;
+    private final double[] minOrigin = new double[3];
+    private final double[] maxOrigin = new double[3];
+    private final double[] minDirection = new double[3];
+    private final double[] maxDirection = new double[3];
+    private double maxDistance;
 
     // By axis along which all rays go the same way, in tree space, mirrored (side is -1) where that is down: where the
     // first and the last of them starts, and how far the slowest and the fastest go for each unit along the axis.
@@ -34,67 +34,67 @@ public final class Beam {
     private final double[] side = new double[3];
     private final double[] first = new double[3];
     private final double[] last = new double[3];
-    private final double[] perLeast = new double[3];
-    private final double[] perGreatest = new double[3];
+    private final double[] perMin = new double[3];
+    private final double[] perMax = new double[3];
 
-    private final int[] things = new int[MOST + Bvh.LEAF_SIZE];
+    private final int[] primitives = new int[MAX + Bvh.LEAF_SIZE];
     private int count;
     private int[] stack = new int[64];
 
     /** Takes in a tile's rays, from one index to another, as far as their distances. */
-    void take(Rays rays, int from, int to) {
+    void enclose(Rays rays, int from, int to) {
         if (rays.leaveEye) {
-            point(rays.ox[from], rays.oy[from], rays.oz[from], leastOrigin, greatestOrigin);
+            point(rays.ox[from], rays.oy[from], rays.oz[from], minOrigin, maxOrigin);
         } else {
-            span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
+            span(rays.ox, rays.oy, rays.oz, from, to, minOrigin, maxOrigin);
         }
         if (rays.leaveEye && rays.window != null) {
-            System.arraycopy(rays.window.least(), 0, leastDirection, 0, leastDirection.length);
-            System.arraycopy(rays.window.greatest(), 0, greatestDirection, 0, greatestDirection.length);
+            System.arraycopy(rays.window.min(), 0, minDirection, 0, minDirection.length);
+            System.arraycopy(rays.window.max(), 0, maxDirection, 0, maxDirection.length);
         } else {
-            span(rays.dx, rays.dy, rays.dz, from, to, leastDirection, greatestDirection);
+            span(rays.dx, rays.dy, rays.dz, from, to, minDirection, maxDirection);
         }
-        reach = 0;
+        maxDistance = 0;
         for (int i = from; i < to; i++) {
-            reach = rays.distance[i] > reach ? rays.distance[i] : reach;
+            maxDistance = rays.distance[i] > maxDistance ? rays.distance[i] : maxDistance;
         }
     }
 
     /**
-     * Takes in the ways from where rays have arrived to a lamp. From a lamp at a point they are taken backwards, as
+     * Takes in the ways from where rays have arrived to a light. From a light at a point they are taken backwards, as
      * the beam that starts as a point is narrower; distances are then in parts of the way.
      */
-    void take(Rays rays, LightSource lamp, int from, int to) {
-        span(rays.ox, rays.oy, rays.oz, from, to, leastOrigin, greatestOrigin);
-        if (lamp.directional()) {
-            point(lamp.x(), lamp.y(), lamp.z(), leastDirection, greatestDirection);
-            reach = Double.POSITIVE_INFINITY;
+    void enclose(Rays rays, LightSource light, int from, int to) {
+        span(rays.ox, rays.oy, rays.oz, from, to, minOrigin, maxOrigin);
+        if (light.directional()) {
+            point(light.x(), light.y(), light.z(), minDirection, maxDirection);
+            maxDistance = Double.POSITIVE_INFINITY;
             return;
         }
         for (int axis = 0; axis < 3; axis++) {
-            double position = axis == 0 ? lamp.x() : axis == 1 ? lamp.y() : lamp.z();
-            leastDirection[axis] = leastOrigin[axis] - position;
-            greatestDirection[axis] = greatestOrigin[axis] - position;
-            leastOrigin[axis] = position;
-            greatestOrigin[axis] = position;
+            double position = axis == 0 ? light.x() : axis == 1 ? light.y() : light.z();
+            minDirection[axis] = minOrigin[axis] - position;
+            maxDirection[axis] = maxOrigin[axis] - position;
+            minOrigin[axis] = position;
+            maxOrigin[axis] = position;
         }
-        reach = 1;
+        maxDistance = 1;
     }
 
-    private static void point(double x, double y, double z, double[] least, double[] greatest) {
-        least[0] = greatest[0] = x;
-        least[1] = greatest[1] = y;
-        least[2] = greatest[2] = z;
+    private static void point(double x, double y, double z, double[] min, double[] max) {
+        min[0] = max[0] = x;
+        min[1] = max[1] = y;
+        min[2] = max[2] = z;
     }
 
-    private static void span(double[] x, double[] y, double[] z, int from, int to, double[] least, double[] greatest) {
-        Kernel.run(new Span(x, least, greatest, 0), from, to);
-        Kernel.run(new Span(y, least, greatest, 1), from, to);
-        Kernel.run(new Span(z, least, greatest, 2), from, to);
+    private static void span(double[] x, double[] y, double[] z, int from, int to, double[] min, double[] max) {
+        Kernel.run(new Span(x, min, max, 0), from, to);
+        Kernel.run(new Span(y, min, max, 1), from, to);
+        Kernel.run(new Span(z, min, max, 2), from, to);
     }
 
-    /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray meets nothing. */
-    private record Span(double[] values, double[] least, double[] greatest, int axis) implements Kernel {
+    /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray hits nothing. */
+    private record Span(double[] values, double[] min, double[] max, int axis) implements Kernel {
         @Override
         public void run(int from, int to) {
             double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
@@ -103,12 +103,12 @@ public final class Beam {
                 low = v < low ? v : low;
                 high = v > high ? v : high;
             }
-            least[axis] = low;
-            greatest[axis] = high;
+            min[axis] = low;
+            max[axis] = high;
         }
     }
 
-    /** Finds the things in the tree that the rays may meet; false if they are too many, or the rays too unlike. */
+    /** Finds the primitives in the tree that the rays may hit; false if they are too many, or the rays too unlike. */
     boolean gather(Bvh bvh) {
         count = 0;
         if (bvh.root() == Bvh.EMPTY) {
@@ -126,13 +126,13 @@ public final class Beam {
             int child = stack[--stacked];
             if (child < 0) {
                 for (int k = Bvh.leafFirst(child); k < Bvh.leafEnd(child); k++) {
-                    things[count++] = k;
+                    primitives[count++] = k;
                 }
-                if (count > MOST) {
+                if (count > MAX) {
                     return false;
                 }
             } else {
-                if (++visited > MOST_NODES) {
+                if (++visited > MAX_NODES) {
                     return false;
                 }
                 if (stacked + Bvh.WIDTH > stack.length) {
@@ -149,25 +149,25 @@ public final class Beam {
     }
 
     /** Thing number i of those found: its place in the tree's order. */
-    int thing(int i) {
-        return things[i];
+    int primitive(int i) {
+        return primitives[i];
     }
 
     private void toTreeSpace(Bvh bvh) {
         double[] centre = {bvh.centreX(), bvh.centreY(), bvh.centreZ()};
         for (int axis = 0; axis < 3; axis++) {
-            leastOrigin[axis] = (leastOrigin[axis] - centre[axis]) * bvh.scale();
-            greatestOrigin[axis] = (greatestOrigin[axis] - centre[axis]) * bvh.scale();
+            minOrigin[axis] = (minOrigin[axis] - centre[axis]) * bvh.scale();
+            maxOrigin[axis] = (maxOrigin[axis] - centre[axis]) * bvh.scale();
         }
         // Rounded up by more than hits are compared by; the padding has room for it.
-        reach *= bvh.scale() * (1 + 2 * Rounding.TIE_SIEVE);
+        maxDistance *= bvh.scale() * (1 + 2 * Rounding.TIE_SIEVE);
     }
 
     /** Whether the rays go the same way along at least one axis, and start near enough. */
     private boolean isNarrow() {
         boolean narrow = false;
         for (int axis = 0; axis < 3; axis++) {
-            if (!(Math.abs(leastOrigin[axis]) < Bvh.FARTHEST && Math.abs(greatestOrigin[axis]) < Bvh.FARTHEST)) {
+            if (!(Math.abs(minOrigin[axis]) < Bvh.FARTHEST && Math.abs(maxOrigin[axis]) < Bvh.FARTHEST)) {
                 return false;
             }
             narrow |= isOneWay(axis);
@@ -177,17 +177,17 @@ public final class Beam {
 
     /** Whether all rays go up along an axis, or all down; not so slowly that a reciprocal would overflow. */
     private boolean isOneWay(int axis) {
-        return leastDirection[axis] >= Double.MIN_NORMAL || greatestDirection[axis] <= -Double.MIN_NORMAL;
+        return minDirection[axis] >= Double.MIN_NORMAL || maxDirection[axis] <= -Double.MIN_NORMAL;
     }
 
     private void prepare() {
         for (int axis = 0; axis < 3; axis++) {
-            boolean up = leastDirection[axis] > 0;
+            boolean up = minDirection[axis] > 0;
             side[axis] = up ? 1 : -1;
-            first[axis] = up ? leastOrigin[axis] : -greatestOrigin[axis];
-            last[axis] = up ? greatestOrigin[axis] : -leastOrigin[axis];
-            perLeast[axis] = isOneWay(axis) ? 1 / (up ? leastDirection[axis] : -greatestDirection[axis]) : 0;
-            perGreatest[axis] = 1 / (up ? greatestDirection[axis] : -leastDirection[axis]);
+            first[axis] = up ? minOrigin[axis] : -maxOrigin[axis];
+            last[axis] = up ? maxOrigin[axis] : -minOrigin[axis];
+            perMin[axis] = isOneWay(axis) ? 1 / (up ? minDirection[axis] : -maxDirection[axis]) : 0;
+            perMax[axis] = 1 / (up ? maxDirection[axis] : -minDirection[axis]);
         }
     }
 
@@ -203,7 +203,7 @@ public final class Beam {
     }
 
     /**
-     * How far away, at least, rays may meet a box, in tree space; infinite if none does: if the intervals of distances
+     * How far away, at least, rays may hit a box, in tree space; infinite if none does: if the intervals of distances
      * at which the rays are between the box's sides have nothing in common.
      *
      * @param at the box's place among the nodes' numbers
@@ -213,14 +213,14 @@ public final class Beam {
             return Double.POSITIVE_INFINITY;
         }
         double near = 0;
-        double far = reach;
+        double far = maxDistance;
         for (int axis = 0; axis < 3; axis++) {
-            if (perLeast[axis] > 0) {
+            if (perMin[axis] > 0) {
                 double middle = nodes[at + axis * Bvh.AXIS_STRIDE] * side[axis];
                 double half = nodes[at + axis * Bvh.AXIS_STRIDE + Bvh.HALF];
                 double toLow = middle - half - last[axis], toHigh = middle + half - first[axis];
-                double low = toLow * (toLow >= 0 ? perGreatest[axis] : perLeast[axis]);
-                double high = toHigh * (toHigh >= 0 ? perLeast[axis] : perGreatest[axis]);
+                double low = toLow * (toLow >= 0 ? perMax[axis] : perMin[axis]);
+                double high = toHigh * (toHigh >= 0 ? perMin[axis] : perMax[axis]);
                 near = low > near ? low : near;
                 far = high < far ? high : far;
             }

@@ -33,7 +33,7 @@ public final class ClosestHit implements Kernel {
     private LightBuffer buffer;
 
     /**
-     * What records for every ray the nearest surface of one kind that it meets.
+     * What records for every ray the nearest surface of one kind that it hits.
      *
      * @param eye where rays start, if they leave the eye
      */
@@ -57,7 +57,7 @@ public final class ClosestHit implements Kernel {
         if (bvh.oversized() > 0) {
             Kernel.run(intersectOversized, from, to);
         }
-        space.beam().take(rays, from, to);
+        space.beam().enclose(rays, from, to);
         if (!space.beam().gather(bvh)) {
             findEach(from, to);
         } else if (space.beam().count() > 0) {
@@ -75,7 +75,7 @@ public final class ClosestHit implements Kernel {
     private void intersectGathered(int from, int to) {
         surfaces.prepareToIntersect(rays, from, to, space.surfaces());
         for (int n = 0; n < space.beam().count(); n++) {
-            surfaces.intersectAll(rays, from, to, space.beam().thing(n), space.surfaces());
+            surfaces.intersectAll(rays, from, to, space.beam().primitive(n), space.surfaces());
         }
     }
 
@@ -113,7 +113,7 @@ public final class ClosestHit implements Kernel {
 
     private void intersectOnTheWay(int ray) {
         BvhWalk walk = space.surfaces().walk;
-        while (walk.nextLeaf(rays.reach(ray))) {
+        while (walk.nextLeaf(rays.maxDistance(ray))) {
             for (int left = surfaces.inSight(walk.first(), walk.end(), space.surfaces()); left != 0; left &= left - 1) {
                 surfaces.intersect(rays, ray, walk.first() + Integer.numberOfTrailingZeros(left));
             }
@@ -138,10 +138,10 @@ public final class ClosestHit implements Kernel {
     private void intersectInTheCell(int ray) {
         LightBuffer.Cells cells = space.cells();
         for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
-            int k = buffer.thing(entry);
+            int k = buffer.primitive(entry);
             if (surfaces.inSight(k, k + 1, space.surfaces()) != 0) {
                 surfaces.intersect(rays, ray, k);
-                buffer.limit(rays.reach(ray), ray, cells);
+                buffer.limit(rays.maxDistance(ray), ray, cells);
             }
         }
     }

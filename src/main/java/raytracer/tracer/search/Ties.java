@@ -9,8 +9,8 @@ import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.Rays;
 
 /**
- * Decides what a ray meets where rounding cannot tell the distances of several surfaces apart: with e a bound on the
- * error of a distance t and u the least t + e of all surfaces that the ray meets, the first declared with t - e at most
+ * Decides what a ray hits where rounding cannot tell the distances of several surfaces apart: with e a bound on the
+ * error of a distance t and u the least t + e of all surfaces that the ray hits, the first declared with t - e at most
  * u. Being equal within rounding is not transitive, so comparing surfaces in turns would let the order decide in which
  * a search finds them. Here all that are as near are found again, ray by ray; where nothing is, that costs nothing.
  */
@@ -21,13 +21,13 @@ public final class Ties implements Candidates {
     private final Rays rays;
     private final Workspace workspace;
 
-    // What the ray meets about where its nearest surface is.
-    private int[] slots = new int[8];
+    // What the ray hits about where its nearest surface is.
+    private int[] found = new int[8];
     private double[] distances = new double[8];
     private double[] errors = new double[8];
     private int count;
 
-    /** @param declared by slot: the surface's number in the order of declaration */
+    /** @param declared by a surface's index: its number in the order of declaration */
     public Ties(int[] declared, List<Surfaces> surfaces, Rays rays, Workspace workspace) {
         this.declared = declared;
         this.surfaces = surfaces;
@@ -35,7 +35,7 @@ public final class Ties implements Candidates {
         this.workspace = workspace;
     }
 
-    /** Decides for all rays that have met several surfaces at about the same distance. */
+    /** Decides for all rays that have hit several surfaces at about the same distance. */
     public void settle() {
         for (int n = 0; n < rays.closeCount; n++) {
             int ray = rays.close[n];
@@ -59,22 +59,22 @@ public final class Ties implements Candidates {
         }
         int first = -1;
         for (int i = 0; i < count; i++) {
-            if (distances[i] - errors[i] <= bound && (first < 0 || declared[slots[i]] < declared[slots[first]])) {
+            if (distances[i] - errors[i] <= bound && (first < 0 || declared[found[i]] < declared[found[first]])) {
                 first = i;
             }
         }
-        rays.hit[ray] = slots[first];
+        rays.hit[ray] = found[first];
         rays.distance[ray] = distances[first];
     }
 
     @Override
-    public void add(int slot, double distance, double error) {
-        if (count == slots.length) {
-            slots = Arrays.copyOf(slots, 2 * count);
+    public void add(int surface, double distance, double error) {
+        if (count == found.length) {
+            found = Arrays.copyOf(found, 2 * count);
             distances = Arrays.copyOf(distances, 2 * count);
             errors = Arrays.copyOf(errors, 2 * count);
         }
-        slots[count] = slot;
+        found[count] = surface;
         distances[count] = distance;
         errors[count++] = Rounding.tie(error, distance);
     }

@@ -1,5 +1,5 @@
 /**
- * Which surface a ray meets first, and whether any is in its way: for a whole batch by one beam, for each ray by its own
+ * Which surface a ray hits first, and whether any is in its way: for a whole batch by one beam, for each ray by its own
  * walk or by a look into a light buffer; and which of several wins that rounding cannot tell apart. Must not know:
  * materials, shading.
  */

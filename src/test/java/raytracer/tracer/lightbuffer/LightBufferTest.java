@@ -142,10 +142,10 @@ public class LightBufferTest {
             rays.ox[0] = o.x();
             rays.oy[0] = o.y();
             rays.oz[0] = o.z();
-            assertTrue(buffer.reaches(rays, 0, 1), "point " + i);
+            assertTrue(buffer.isNearEnough(rays, 0, 1), "point " + i);
             buffer.find(rays, 0, 1, cells);
             int[] nearer = IntStream.range(cells.first[0], cells.end[0])
-                    .filter(entry -> buffer.isNearer(entry, 0, cells)).map(buffer::thing).toArray();
+                    .filter(entry -> buffer.isNearer(entry, 0, cells)).map(buffer::primitive).toArray();
             assertTrue(Arrays.stream(nearer).anyMatch(thing -> thing == k), "point " + i);
             entries += nearer.length;
         }
@@ -241,8 +241,8 @@ public class LightBufferTest {
                 bvh, BoundingShapes.of(inOrder(bvh, spheres)), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
         Rays rays = new Rays();
         rays.oy[1] = -3e6;
-        assertTrue(buffer.reaches(rays, 0, 1));
-        assertFalse(buffer.reaches(rays, 0, 2));
+        assertTrue(buffer.isNearEnough(rays, 0, 1));
+        assertFalse(buffer.isNearEnough(rays, 0, 2));
     }
 
     @Test

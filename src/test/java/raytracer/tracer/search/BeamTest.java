@@ -38,14 +38,14 @@ class BeamTest {
     }
 
     private boolean gather(Bvh bvh) {
-        beam.take(rays, 0, RAYS);
+        beam.enclose(rays, 0, RAYS);
         return beam.gather(bvh);
     }
 
     private BitSet gathered(Bvh bvh) {
         BitSet things = new BitSet();
         for (int i = 0; i < beam.count(); i++) {
-            things.set(bvh.order()[beam.thing(i)]);
+            things.set(bvh.order()[beam.primitive(i)]);
         }
         for (int k = 0; k < bvh.oversized(); k++) {
             things.set(bvh.order()[k]);
@@ -107,7 +107,7 @@ class BeamTest {
                 o[1][i] = offset + (directional ? 2 * axis.y() : 0) + apart * random.nextDouble();
                 o[2][i] = offset + (directional ? 2 * axis.z() : 0) + apart * random.nextDouble();
             }
-            beam.take(rays, lamp, 0, RAYS);
+            beam.enclose(rays, lamp, 0, RAYS);
             if (!beam.gather(bvh)) {
                 continue;
             }
