@@ -55,6 +55,7 @@ public final class Renderer {
             if (sampling instanceof Sampling.Adaptive adaptive) {
                 return renderAdaptively(adaptive.error(), pool);
             }
+            tracer.expect(tiles.pixels() * sampling.samples());
             return onAllThreads(pool, () -> work(newSampler()));
         } finally {
             pool.shutdownNow();
@@ -84,6 +85,7 @@ public final class Renderer {
             pixels += whole.pixels((long) i * stride);
         }
         double[] all = Arrays.stream(variances).flatMapToDouble(Arrays::stream).toArray();
+        tracer.expect((long) (tiles.pixels() * AdaptiveSampler.firstSamples(error)));
         SampleBudget budget = SampleBudget.plan(all, pixels, error, AdaptiveSampler.firstSamples(error));
         return pilot.plus(onAllThreads(pool, () -> work(budget.grid() > 0
                 ? newGridSampler(budget.grid())

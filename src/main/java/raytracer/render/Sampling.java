@@ -9,8 +9,16 @@ public sealed interface Sampling {
     /** The greatest {@link Grid#n}. */
     int MAX = 64;
 
+    /** How many samples a pixel gets, at least. */
+    long samples();
+
     /** @param n along a pixel's side, from 1 to {@link #MAX} */
-    record Grid(int n) implements Sampling { }
+    record Grid(int n) implements Sampling {
+        @Override
+        public long samples() {
+            return (long) n * n;
+        }
+    }
 
     /**
      * Every pixel: samples in no regular pattern, to measure the others' errors by.
@@ -18,7 +26,12 @@ public sealed interface Sampling {
      * @param count at least 1
      * @param seed  of different ones, errors are different
      */
-    record Sequence(int count, int seed) implements Sampling { }
+    record Sequence(int count, int seed) implements Sampling {
+        @Override
+        public long samples() {
+            return count;
+        }
+    }
 
     /**
      * As many as it takes.
@@ -32,5 +45,10 @@ public sealed interface Sampling {
 
         /** One step of a picture's 256: no visible difference. */
         public static final double INVISIBLE = 1 / 255.0;
+
+        @Override
+        public long samples() {
+            return 1;
+        }
     }
 }

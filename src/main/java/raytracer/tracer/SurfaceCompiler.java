@@ -11,7 +11,7 @@ import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
-import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.primitive.Planes;
 import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Spheres;
@@ -21,7 +21,7 @@ import raytracer.tracer.primitive.Triangles;
 /** Sorts a scene's shapes by kind and gives each surface its index: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {
 
-    private final List<Viewpoint> viewpoints;
+    private final Viewpoints viewpoints;
     private final Mesh mesh;
     private final ForkJoinPool pool;
     private final int[] declared;
@@ -70,7 +70,7 @@ final class SurfaceCompiler {
         }
     }
 
-    SurfaceCompiler(Scene scene, List<Viewpoint> viewpoints, ForkJoinPool pool) {
+    SurfaceCompiler(Scene scene, Viewpoints viewpoints, ForkJoinPool pool) {
         this.viewpoints = viewpoints;
         this.mesh = scene.mesh();
         this.pool = pool;

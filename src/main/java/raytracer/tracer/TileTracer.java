@@ -2,7 +2,6 @@ package raytracer.tracer;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
@@ -10,6 +9,7 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.Window;
@@ -29,10 +29,9 @@ public final class TileTracer {
      * (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
     private static final int COLD_CAPACITY = 40;
-    private static final int COLD_RAYS = 4000 * COLD_CAPACITY;
+    private static final int COLD_SAMPLES = 4000 * COLD_CAPACITY;
 
-    /** Rays that have hit something, in this or another thread's tracer of the scene: most kernels are over those. */
-    private final AtomicLong hits;
+    private final Progress progress;
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
@@ -44,6 +43,7 @@ public final class TileTracer {
     private final Ties ties;
     private final Kernel aiming;
     private final Kernel[] find;
+    private final Kernel[] move;
     private final ShadingGroups groups;
     private final Shading shading;
     private final int[] kept = new int[Batch.CAPACITY];
@@ -67,18 +67,20 @@ public final class TileTracer {
     private long reflectionCount;
 
     TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
-            AtomicLong hits) {
+            Progress progress) {
         this.surfaces = surfaces;
         this.materials = table.materials();
         this.maxDepth = maxDepth;
-        this.hits = hits;
+        this.progress = progress;
         rays = new Rays();
         ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
         groups = new ShadingGroups(table);
         this.pinhole = pinhole;
         aiming = pinhole.aiming(rays);
         find = new Kernel[surfaces.size()];
+        move = new Kernel[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
+            move[kind] = surfaces.get(kind).moving(rays, space.surfaces());
             find[kind] = ClosestHit.among(surfaces.get(kind), rays, pinhole.source(), space);
         }
         shading = new Shading(surfaces, lights, rays, space);
@@ -112,7 +114,7 @@ public final class TileTracer {
 
     /** How many rays are traced together. */
     private int max() {
-        return hits.get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
+        return progress.done() < COLD_SAMPLES ? COLD_CAPACITY : Batch.CAPACITY;
     }
 
     private void trace(int from, int to) {
@@ -134,6 +136,7 @@ public final class TileTracer {
         }
         rays.start(aiming, window, samples, from, to - from);
         primaryCount += to - from;
+        progress.add(to - from);
     }
 
     // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.
@@ -155,24 +158,26 @@ public final class TileTracer {
     /** Puts rays that have hit surfaces of the same material together; those that have hit none leave. */
     private void arrange() {
         groups.arrange(rays);
-        if (hits.get() < COLD_RAYS) {
-            hits.addAndGet(rays.count);
-        }
     }
 
     /** Takes every ray there, and notes what it has hit. */
     private void moveToHits() {
         for (int group = 0; group < groups.count(); group++) {
-            int first = rays.hit[groups.start(group)];
-            for (Surfaces kind : surfaces) {
-                if (kind.owns(first)) {
-                    kind.moveToHits(rays, groups.start(group), groups.end(group), space.surfaces());
-                    if (samples.path != null) {
-                        extendPaths(groups.start(group), groups.end(group), kind.isOfOneSurface(), groups.material(group));
-                    }
-                }
+            int kind = kindOf(rays.hit[groups.start(group)]);
+            Kernel.run(move[kind], groups.start(group), groups.end(group));
+            if (samples.path != null) {
+                extendPaths(groups.start(group), groups.end(group), surfaces.get(kind).isOfOneSurface(),
+                        groups.material(group));
             }
         }
+    }
+
+    private int kindOf(int surface) {
+        int kind = 0;
+        while (!surfaces.get(kind).owns(surface)) {
+            kind++;
+        }
+        return kind;
     }
 
     private void extendPaths(int from, int to, boolean oneSurface, int materialIndex) {

@@ -3,16 +3,17 @@ package raytracer.tracer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.primitive.BoundedSurfaces;
 import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Progress;
 
 /**
  * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size.
@@ -28,16 +29,16 @@ public final class Tracer {
     private final SurfaceTable table;
     private final List<LightSource> lights;
     private final int maxDepth;
-    private final AtomicLong hits;
+    private final Progress progress;
 
     private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
-            AtomicLong hits) {
+            Progress progress) {
         this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.table = table;
         this.lights = lights;
         this.maxDepth = maxDepth;
-        this.hits = hits;
+        this.progress = progress;
     }
 
     /** @param threads how many threads build trees; what is built does not depend on it */
@@ -45,16 +46,17 @@ public final class Tracer {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
             Pinhole pinhole = new Pinhole(scene);
+            Progress progress = new Progress();
             List<LightSource> lights = new ArrayList<>();
             for (Light light : scene.lights()) {
                 lights.add(LightSource.of(light));
             }
             List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
             lights.forEach(light -> viewpoints.add(new Viewpoint(light, null)));
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, pool);
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(viewpoints, progress), pool);
             List<Surfaces> surfaces = compiler.surfaces();
             return new Tracer(pinhole, surfaces, compiler.table(), List.copyOf(lights), scene.maxDepth(),
-                    new AtomicLong());
+                    progress);
         } finally {
             pool.shutdown();
         }
@@ -62,7 +64,12 @@ public final class Tracer {
 
     /** The same scene, but that paths from the eye hit at most so many surfaces. */
     public Tracer withMaxDepth(int newMaxDepth) {
-        return new Tracer(pinhole, surfaces, table, lights, newMaxDepth, hits);
+        return new Tracer(pinhole, surfaces, table, lights, newMaxDepth, progress);
+    }
+
+    /** Announces that so many more samples will be traced: it decides by that what is worth preparing. */
+    public void expect(long samples) {
+        progress.expect(samples);
     }
 
     /** The picture's, in pixels. */
@@ -83,6 +90,6 @@ public final class Tracer {
 
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
-        return new TileTracer(pinhole, surfaces, table, lights, maxDepth, hits);
+        return new TileTracer(pinhole, surfaces, table, lights, maxDepth, progress);
     }
 }

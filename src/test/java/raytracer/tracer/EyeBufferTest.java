@@ -35,8 +35,8 @@ class EyeBufferTest {
         List<Shape.Sphere> spheres = LightBufferTest.spheres(random, LightBufferTest.ORIGIN, .06).stream()
                 .map(s -> new Shape.Sphere(s.centre().times(size), s.radius() * size, s.material())).toList();
         Mesh mesh = LightBufferTest.scaled(LightBufferTest.triangles(random, LightBufferTest.ORIGIN, .1), size);
-        List<Surfaces> with = LightBufferTest.surfaces(spheres, mesh, List.of(pinhole.viewpoint()));
-        List<Surfaces> without = LightBufferTest.surfaces(spheres, mesh, List.of());
+        List<Surfaces> with = LightBufferTest.surfaces(spheres, mesh, LightBufferTest.viewpoints(pinhole.viewpoint()));
+        List<Surfaces> without = LightBufferTest.surfaces(spheres, mesh, LightBufferTest.NONE);
         for (Surfaces kind : with) {
             assertNotNull(((BoundedSurfaces) kind).lightBuffer(pinhole.source()).insteadOfWalks(300_000));
         }

@@ -7,6 +7,7 @@ import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.lightbuffer.LightBufferTest;
 import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.rays.LightSource;
@@ -33,7 +34,7 @@ public final class Probe {
 
     public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, List.of(), ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, LightBufferTest.NONE, ForkJoinPool.commonPool());
         surfaces = compiler.surfaces();
         slots = compiler.table();
         rays = new Rays();
@@ -108,7 +109,7 @@ public final class Probe {
         if (slot == Rays.NONE) {
             return null;
         }
-        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.moveToHits(rays, 0, 1, space.surfaces()));
+        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.moving(rays, space.surfaces()).run(0, 1));
         return new Meeting(slots.declared()[slot], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }

@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -23,10 +22,12 @@ import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.primitive.BoundedSurfaces;
 import raytracer.tracer.primitive.SurfaceTable;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Samples;
 
 @DisplayName("Of surfaces that rounding cannot tell apart")
@@ -51,9 +52,11 @@ class TiesTest {
             for (Light light : scene.lights()) {
                 lamps.add(LightSource.of(light));
             }
+            Progress progress = new Progress();
+            progress.expect(Integer.MAX_VALUE);
             List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
             lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, viewpoints, ForkJoinPool.commonPool());
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(viewpoints, progress), ForkJoinPool.commonPool());
             surfaces = compiler.surfaces();
             slots = compiler.table();
             maxDepth = scene.maxDepth();
@@ -76,7 +79,7 @@ class TiesTest {
         /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new Progress());
             Samples samples = Samples.ofColour();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
@@ -95,7 +98,7 @@ class TiesTest {
             double[] red = new double[WIDTH * HEIGHT];
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new Progress());
             Samples samples = Samples.ofColour();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));

@@ -4,18 +4,14 @@ package raytracer.tracer.bvh;
  * A bounding volume hierarchy with four children a node, and a few oversized primitives, for which a tree is of no
  * use: every ray tries those.
  *
- * <p>Boxes are floats in the tree's own space, in which the primitives fill the cube from -1 to 1: centred so that a scene
- * far from the origin keeps its digits, and scaled by a power of two, so that a scene of another unit gets the same
- * tree. They are conservative: {@link #PADDING} covers every rounding between a primitive and a ray's test of its box.
+ * <p>Boxes are floats in the tree's own space, in which the primitives fill the cube from -1 to 1. They are conservative: {@link #PADDING} covers every rounding between a primitive and a ray's test of its box.
  *
  * @param order    the primitives: the oversized ones, then those in the order of the leaves
  * @param oversized how many are oversized
  * @param nodes    {@link #NODE_STRIDE} numbers a node
  * @param root     a node's number, a leaf, or {@link #EMPTY}
- * @param scale    a power of two: tree space is (world - centre) * scale
  */
-public record Bvh(int[] order, int oversized, float[] nodes, int root,
-        double centreX, double centreY, double centreZ, double scale) {
+public record Bvh(int[] order, int oversized, float[] nodes, int root, TreeSpace space) {
 
     public static final int WIDTH = 4;
 

@@ -47,13 +47,12 @@ public final class BvhBuilder {
             oversized = found;
             extent = Extent.of(order, oversized, bounds, pool);
         }
-        double scale = scale(extent.width());
-        double cx = extent.middle(0), cy = extent.middle(1), cz = extent.middle(2);
         if (oversized == count) {
-            return new Bvh(order, oversized, new float[0], Bvh.EMPTY, 0, 0, 0, 1);
+            return new Bvh(order, oversized, new float[0], Bvh.EMPTY, new TreeSpace(0, 0, 0, 1));
         }
+        TreeSpace space = new TreeSpace(extent.middle(0), extent.middle(1), extent.middle(2), scale(extent.width()));
         float[] boxes = new float[6 * (count - oversized)];
-        ParallelRange.run(pool, oversized, count, new TreeBoxes(boxes, oversized, order, bounds, new double[] {cx, cy, cz}, scale));
+        ParallelRange.run(pool, oversized, count, new TreeBoxes(boxes, oversized, order, bounds, space));
         Nodes nodes = new Nodes();
         int root = Bvh.leaf(oversized, count - oversized);
         if (count - oversized > leafSize) {
@@ -62,7 +61,7 @@ public final class BvhBuilder {
             nodes = whole.size() < PARALLEL_SIZE ? subtree.compute() : pool.invoke(subtree);
             root = 0;
         }
-        return new Bvh(order, oversized, nodes.numbers(), root, cx, cy, cz, scale);
+        return new Bvh(order, oversized, nodes.numbers(), root, space);
     }
 
     /** Brings the primitives that are too wide to the front; all or, if there are too many of them, none. */
@@ -93,7 +92,7 @@ public final class BvhBuilder {
     }
 
     /** Brings the boxes of primitives, from the first in the tree on, to tree space. */
-    private record TreeBoxes(float[] boxes, int first, int[] order, Bounds bounds, double[] centre, double scale)
+    private record TreeBoxes(float[] boxes, int first, int[] order, Bounds bounds, TreeSpace space)
             implements ParallelRange.Work {
         @Override
         public void over(int from, int to) {
@@ -101,13 +100,13 @@ public final class BvhBuilder {
             for (int i = from; i < to; i++) {
                 bounds.of(order[i], box);
                 for (int side = 0; side < 6; side++) {
-                    boxes[6 * (i - first) + side] = (float) ((box[side] - centre[side % 3]) * scale);
+                    boxes[6 * (i - first) + side] = (float) space.coordinate(side % 3, box[side]);
                 }
             }
         }
     }
 
-    /** Things {@code from} to {@code to - 1}, the box around them and half of its surface. */
+    /** Primitives {@code from} to {@code to - 1}, the box around them and half of its surface. */
     private record Range(int from, int to, float area, float[] box) {
 
         int size() {

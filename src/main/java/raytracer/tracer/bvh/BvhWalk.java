@@ -47,9 +47,9 @@ public final class BvhWalk {
         if (tree.root() == Bvh.EMPTY) {
             return false;
         }
-        x = (ox - tree.centreX()) * tree.scale();
-        y = (oy - tree.centreY()) * tree.scale();
-        z = (oz - tree.centreZ()) * tree.scale();
+        x = tree.space().x(ox);
+        y = tree.space().y(oy);
+        z = tree.space().z(oz);
         start = 0;
         if (Math.abs(x) > 1 || Math.abs(y) > 1 || Math.abs(z) > 1) {
             // Floats only hold up near the tree, so the ray is taken to the cube around it first, in double.
@@ -128,7 +128,7 @@ public final class BvhWalk {
      */
     public boolean nextLeaf(double limit) {
         // Rounded up by more than floats round: the padding has room for it.
-        float maxDistance = (float) ((limit * bvh.scale() - start) * (1 + 0x1p-22));
+        float maxDistance = (float) ((limit * bvh.space().scale() - start) * (1 + 0x1p-22));
         int maxBits = Float.floatToRawIntBits(maxDistance);
         while (stacked > 0) {
             long key = stack[--stacked];

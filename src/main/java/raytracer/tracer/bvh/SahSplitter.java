@@ -72,7 +72,7 @@ public final class SahSplitter {
         return area(right);
     }
 
-    /** Things whose centres coincide: any half will do. */
+    /** Primitives whose centres coincide: any half will do. */
     private int halve(int from, int to) {
         int middle = (from + to) >>> 1;
         enclose(from, middle, left);

@@ -1,63 +1,36 @@
 package raytracer.tracer.lightbuffer;
 
-import java.util.IdentityHashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.rays.LightSource;
 
 /**
- * A {@link LightBuffer} that is built as soon as the walks through the tree that it would have spared have taken as
- * long as it takes to build: so however many are still to come, at most twice the time is taken that hindsight would
- * (the ski rental problem; Karlin et al., Competitive Snoopy Caching, 1988). Pixels do not depend on when it is.
- * Threads share it.
+ * A {@link LightBuffer} that is built when it will spare more walks through the tree than it costs: as many are still to
+ * come as samples are, in proportion to those so far. Pixels do not depend on when it is. Threads share it.
  */
 public final class LazyLightBuffer {
 
     /** Building costs about one walk a primitive, and so many more at first, until its code is compiled. */
     private static final int COLD_WALKS = 250_000;
 
-    /** By any buffer: HotSpot too counts for the whole process. */
-    private static final AtomicLong SORTED = new AtomicLong();
-
-    /** Whether any is being built: one at a time, or each would count on the same memory. */
-    private static final AtomicBoolean BUILDING = new AtomicBoolean();
+    /** Fewer walks than one for so many primitives say little about how many will come. */
+    private static final int FEW = 16;
 
     /** Of the memory that there may be, what is left for all else: one part in so many. */
     private static final int LEFT = 4;
 
     private final Bvh bvh;
-    private final BoundingShapes hulls;
+    private final BoundingShapes shapes;
     private final Viewpoint viewpoint;
+    private final Viewpoints all;
     private final AtomicLong walks = new AtomicLong();
-    private volatile boolean begun;
+    private volatile boolean isBegun;
     private volatile LightBuffer buffer;
 
-    private LazyLightBuffer(Bvh bvh, BoundingShapes hulls, Viewpoint viewpoint) {
+    LazyLightBuffer(Bvh bvh, BoundingShapes shapes, Viewpoint viewpoint, Viewpoints all) {
         this.bvh = bvh;
-        this.hulls = hulls;
+        this.shapes = shapes;
         this.viewpoint = viewpoint;
-    }
-
-    /** By source, which are told apart as objects. */
-    public static Map<LightSource, LazyLightBuffer> of(List<Viewpoint> viewpoints, Bvh bvh, BoundingShapes hulls) {
-        Map<LightSource, LazyLightBuffer> buffers = new IdentityHashMap<>();
-        for (Viewpoint viewpoint : viewpoints) {
-            buffers.put(viewpoint.source(), new LazyLightBuffer(bvh, hulls, viewpoint));
-        }
-        return buffers;
-    }
-
-    private boolean hasRoom() {
-        Runtime java = Runtime.getRuntime();
-        return hasRoom(bvh.order().length, java.maxMemory(), java.totalMemory() - java.freeMemory());
-    }
-
-    /** Whether there is memory to build one of so many primitives: it is worth some time, but no failure. */
-    static boolean hasRoom(int primitives, long max, long used) {
-        return LightBufferBuilder.MAX_BYTES * primitives < max - used - max / LEFT;
+        this.all = all;
     }
 
     /** The buffer; null if it is not there. */
@@ -67,27 +40,35 @@ public final class LazyLightBuffer {
 
     /** The buffer, to use instead of so many walks; null if it is not there. */
     public LightBuffer insteadOfWalks(int rays) {
-        if (!begun && walks.addAndGet(rays) >= due() && BUILDING.compareAndSet(false, true)) {
+        if (!isBegun && pays(walks.addAndGet(rays)) && all.isBuilding.compareAndSet(false, true)) {
             try {
                 build();
             } finally {
-                BUILDING.set(false);
+                all.isBuilding.set(false);
             }
         }
         return buffer;
     }
 
-    private long due() {
-        return bvh.order().length + Math.max(0, COLD_WALKS - SORTED.get());
+    private boolean pays(long walksSoFar) {
+        int primitives = bvh.order().length;
+        return walksSoFar >= primitives / FEW
+                && all.progress.ahead(walksSoFar) > primitives + Math.max(0, COLD_WALKS - all.sorted.get());
     }
 
     private void build() {
-        if (!begun) {
-            begun = true;
-            if (hasRoom()) {
-                buffer = LightBufferBuilder.build(bvh, hulls, viewpoint);
-                SORTED.addAndGet(bvh.order().length);
+        if (!isBegun) {
+            isBegun = true;
+            Runtime java = Runtime.getRuntime();
+            if (hasRoom(bvh.order().length, java.maxMemory(), java.totalMemory() - java.freeMemory())) {
+                buffer = LightBufferBuilder.build(bvh, shapes, viewpoint);
+                all.sorted.addAndGet(bvh.order().length);
             }
         }
+    }
+
+    /** Whether there is memory to build one of so many primitives: it is worth some time, but no failure. */
+    static boolean hasRoom(int primitives, long max, long used) {
+        return LightBufferBuilder.MAX_BYTES * primitives < max - used - max / LEFT;
     }
 }

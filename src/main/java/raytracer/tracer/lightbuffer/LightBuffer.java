@@ -1,6 +1,7 @@
 package raytracer.tracer.lightbuffer;
 
 import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.TreeSpace;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.rays.Rays;
 
@@ -16,7 +17,7 @@ import raytracer.tracer.rays.Rays;
  */
 public final class LightBuffer {
 
-    private final Bvh bvh;
+    private final TreeSpace space;
     private final boolean directional;
     private final double sourceX;
     private final double sourceY;
@@ -26,11 +27,11 @@ public final class LightBuffer {
     /** By cell, where its entries begin; they end where the next one's begin. */
     private final int[] start;
 
-    /** Things, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
+    /** Primitives, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
     private final long[] entries;
 
     LightBuffer(Bvh bvh, double[] source, CubeFace[] faces, int[] start, long[] entries) {
-        this.bvh = bvh;
+        space = bvh.space();
         sourceX = source[0];
         sourceY = source[1];
         sourceZ = source[2];
@@ -58,11 +59,10 @@ public final class LightBuffer {
     public boolean isNearEnough(Rays rays, int from, int to) {
         double farthest = 0;
         for (int i = from; i < to; i++) {
-            double x = Math.abs(rays.ox[i] - bvh.centreX()), y = Math.abs(rays.oy[i] - bvh.centreY());
-            double z = Math.abs(rays.oz[i] - bvh.centreZ());
-            farthest = Math.max(farthest, Math.max(x, Math.max(y, z)));
+            double x = space.x(rays.ox[i]), y = space.y(rays.oy[i]), z = space.z(rays.oz[i]);
+            farthest = Math.max(farthest, Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
         }
-        return farthest * bvh.scale() < Bvh.FARTHEST;
+        return farthest < Bvh.FARTHEST;
     }
 
     /** Finds the cells in which the source sees the points where rays start. */
@@ -83,9 +83,7 @@ public final class LightBuffer {
     }
 
     private void find(double worldX, double worldY, double worldZ, int ray, Cells cells) {
-        double treeX = (worldX - bvh.centreX()) * bvh.scale();
-        double treeY = (worldY - bvh.centreY()) * bvh.scale();
-        double treeZ = (worldZ - bvh.centreZ()) * bvh.scale();
+        double treeX = space.x(worldX), treeY = space.y(worldY), treeZ = space.z(worldZ);
         cells.x[ray] = treeX;
         cells.y[ray] = treeY;
         cells.z[ray] = treeZ;
@@ -104,7 +102,7 @@ public final class LightBuffer {
             cells.z[i] = sourceZ;
             double x = rays.dx[i], y = rays.dy[i], z = rays.dz[i];
             CubeFace face = faces[CubeFace.number(x, y, z)];
-            cells.depthPerDistance[i] = face.depth(x, y, z) * bvh.scale();
+            cells.depthPerDistance[i] = face.depth(x, y, z) * space.scale();
             find(face.cell(x, y, z), i, cells);
             limit(rays.maxDistance(i), i, cells);
         }

@@ -1,10 +1,8 @@
 package raytracer.tracer.lightbuffer;
 
 import java.util.Arrays;
+import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.LightSource;
 
 /**
@@ -26,13 +24,12 @@ public final class LightBufferBuilder {
     private static final int LEVELS = 4;
 
     private final Bvh bvh;
-    private final BoundingShapes hulls;
+    private final BoundingShapes shapes;
     /** In the tree's space. */
     private final double[] source;
     private final CubeFace[] faces;
     private final Frustum shown;
     private final int count;
-    private final BoundingShapes.Chunk batch = new BoundingShapes.Chunk();
     private final ProjectedOutline outline = new ProjectedOutline();
 
     /** By primitive and face: the primitive, the key of its least depth, in how many cells it is seen there, and in which. */
@@ -44,9 +41,9 @@ public final class LightBufferBuilder {
     private long entries;
     private long[] sorted;
 
-    private LightBufferBuilder(Bvh bvh, BoundingShapes hulls, double[] source, CubeFace[] faces, Frustum shown) {
+    private LightBufferBuilder(Bvh bvh, BoundingShapes shapes, double[] source, CubeFace[] faces, Frustum shown) {
         this.bvh = bvh;
-        this.hulls = hulls;
+        this.shapes = shapes;
         this.source = source;
         this.faces = faces;
         this.shown = shown;
@@ -56,26 +53,25 @@ public final class LightBufferBuilder {
     /**
      * Sorts the primitives of a tree by where a source sees them.
      *
-     * @param hulls by number in the tree's order
+     * @param shapes by number in the tree's order
      * @return null if that would be no use
      */
-    static LightBuffer build(Bvh bvh, BoundingShapes hulls, Viewpoint from) {
+    static LightBuffer build(Bvh bvh, BoundingShapes shapes, Viewpoint from) {
         if (bvh.root() < 0) {
             return null;
         }
         LightSource of = from.source();
         if (of.directional()) {
             CubeFace[] faces = {CubeFace.of(of.x(), of.y(), of.z())};
-            return new LightBufferBuilder(bvh, hulls, new double[3], faces, null).build();
+            return new LightBufferBuilder(bvh, shapes, new double[3], faces, null).build();
         }
-        double[] source = {(of.x() - bvh.centreX()) * bvh.scale(), (of.y() - bvh.centreY()) * bvh.scale(),
-            (of.z() - bvh.centreZ()) * bvh.scale()};
+        double[] source = {bvh.space().x(of.x()), bvh.space().y(of.y()), bvh.space().z(of.z())};
         for (double coordinate : source) {
             if (!(Math.abs(coordinate) < Bvh.FARTHEST)) {
                 return null;
             }
         }
-        return new LightBufferBuilder(bvh, hulls, source, CubeFace.around(), from.shown()).build();
+        return new LightBufferBuilder(bvh, shapes, source, CubeFace.around(), from.shown()).build();
     }
 
     private LightBuffer build() {
@@ -139,36 +135,8 @@ public final class LightBufferBuilder {
     /** Notes where primitives are seen. */
     private void project() {
         int end = bvh.order().length;
-        for (int from = bvh.oversized(); from < end && !isTooMuch(); from += BoundingShapes.Chunk.CAPACITY) {
-            int to = Math.min(from + BoundingShapes.Chunk.CAPACITY, end);
-            hulls.get(from, to, batch);
-            asSeenFromSource(batch.a(), to - from);
-            asSeenFromSource(batch.b(), to - from);
-            asSeenFromSource(batch.c(), to - from);
-            project(from, to);
-        }
-    }
-
-    /** Brings points from world space to the tree's, with the source as the origin. */
-    private void asSeenFromSource(Vectors points, int end) {
-        Kernel.run(new ToTreeSpace(points.x(), bvh.centreX(), bvh.scale(), source[0]), 0, end);
-        Kernel.run(new ToTreeSpace(points.y(), bvh.centreY(), bvh.scale(), source[1]), 0, end);
-        Kernel.run(new ToTreeSpace(points.z(), bvh.centreZ(), bvh.scale(), source[2]), 0, end);
-    }
-
-    /** a = (a - centre) scale - origin */
-    private record ToTreeSpace(double[] a, double centre, double scale, double origin) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                a[i] = (a[i] - centre) * scale - origin;
-            }
-        }
-    }
-
-    private void project(int from, int to) {
-        for (int k = from; k < to; k++) {
-            outline.set(batch, k - from, bvh.scale());
+        for (int k = bvh.oversized(); k < end && !isTooMuch(); k++) {
+            setOutline(k);
             int only = faces.length == 1 ? 0 : outline.onlyFace();
             int first = Math.max(0, only), last = only < 0 ? faces.length - 1 : only;
             for (int face = first; face <= last; face++) {
@@ -179,7 +147,16 @@ public final class LightBufferBuilder {
         }
     }
 
-    /** Thing k is seen on a face. */
+    private void setOutline(int k) {
+        for (int corner = 0; corner < 3; corner++) {
+            Vector v = shapes.corner(k, corner);
+            outline.setCorner(corner, bvh.space().x(v.x()) - source[0], bvh.space().y(v.y()) - source[1],
+                    bvh.space().z(v.z()) - source[2]);
+        }
+        outline.setRadius(shapes.radius(k) * bvh.space().scale());
+    }
+
+    /** Primitive k is seen on a face. */
     private void note(int k, CubeFace face) {
         tried += outline.cellsAround(face);
         if (isTooMuch()) {

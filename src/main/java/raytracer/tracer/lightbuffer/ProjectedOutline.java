@@ -2,7 +2,6 @@ package raytracer.tracer.lightbuffer;
 
 import java.util.Arrays;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Batch;
 
 /** How a primitive is seen on a {@link CubeFace}: a triangle, or a box around something round. Serves primitive after primitive. */
 public final class ProjectedOutline {
@@ -26,18 +25,26 @@ public final class ProjectedOutline {
 
     private int[] cells = new int[64];
 
-    /** Takes one of the hulls, which are in the tree's space and as seen from the source but for their radii. */
-    void set(BoundingShapes.Chunk hulls, int i, double scale) {
-        ax = hulls.a().x()[i];
-        ay = hulls.a().y()[i];
-        az = hulls.a().z()[i];
-        bx = hulls.b().x()[i];
-        by = hulls.b().y()[i];
-        bz = hulls.b().z()[i];
-        cx = hulls.c().x()[i];
-        cy = hulls.c().y()[i];
-        cz = hulls.c().z()[i];
-        radius = hulls.radius()[i] * scale + Bvh.PADDING;
+    /** Sets a corner, which is in the tree's space and as seen from the source. */
+    void setCorner(int corner, double x, double y, double z) {
+        if (corner == 0) {
+            ax = x;
+            ay = y;
+            az = z;
+        } else if (corner == 1) {
+            bx = x;
+            by = y;
+            bz = z;
+        } else {
+            cx = x;
+            cy = y;
+            cz = z;
+        }
+    }
+
+    /** Sets how far the outline is from the triangle, in the tree's space but for the boxes' padding. */
+    void setRadius(double radius) {
+        this.radius = radius + Bvh.PADDING;
     }
 
     /** The number of the only face on which it is seen; negative if there may be more. */

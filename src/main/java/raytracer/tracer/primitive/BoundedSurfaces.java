@@ -1,32 +1,33 @@
 package raytracer.tracer.primitive;
 
-import java.util.List;
 import java.util.Map;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.lightbuffer.BoundingShapes;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
-import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
 /** Surfaces of a finite size, many of them: a tree finds the few that a ray may hit. */
-public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres, Triangles {
+public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
 
+    private final String name;
     private final int firstSurface;
     private final int count;
     private final Bvh bvh;
     private final Map<LightSource, LazyLightBuffer> lightBuffers;
 
-    /** @param hulls by number among these */
-    BoundedSurfaces(int firstSurface, Bvh bvh, BoundingShapes hulls, List<Viewpoint> viewpoints) {
+    /** @param name of the kind, in the plural */
+    BoundedSurfaces(String name, int firstSurface, Bvh bvh, Viewpoints viewpoints) {
+        this.name = name;
         this.firstSurface = firstSurface;
         this.bvh = bvh;
         count = bvh.order().length;
-        lightBuffers = LazyLightBuffer.of(viewpoints, bvh, hulls);
+        lightBuffers = viewpoints.buffers(bvh, this);
     }
 
     /**
@@ -71,22 +72,17 @@ public abstract sealed class BoundedSurfaces implements Surfaces permits Spheres
     /** Whether the surface with this number among these is strictly between a point and its light. */
     public abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
 
-    /**
-     * Looks along a ray through (x, y, z) in the tree's space, for {@link #inSight}.
-     *
-     * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
-     */
-    public abstract void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
-            double originError, double directionError, Workspace workspace);
+    /** Whether {@link #mayHit} goes by {@link Workspace#line}, which then must be set. */
+    public abstract boolean hasSieve();
 
     /**
-     * Which of some surfaces, no more than a leaf has, the ray in {@link #look} may hit, at a glance: a bit for each,
-     * the first one's lowest. No branch depends on what is seen, for the processor would often guess it wrong.
+     * Which of some surfaces, no more than a leaf has, a ray may hit that is in {@link Workspace#line}: a bit for each,
+     * the first one's lowest. No branch depends on it, for the processor would often guess it wrong.
      */
-    public abstract int inSight(int first, int end, Workspace workspace);
+    public abstract int mayHit(int first, int end, Workspace workspace);
 
     public final TreeFacts facts() {
-        return TreeFacts.of(this instanceof Spheres ? "spheres" : "triangles", bvh);
+        return TreeFacts.of(name, bvh);
     }
 
     public final Bvh bvh() {

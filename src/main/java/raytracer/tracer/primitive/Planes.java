@@ -51,36 +51,34 @@ public final class Planes implements Surfaces {
     private void findClosestHits(Rays rays, int from, int to, Workspace workspace) {
         for (int k = 0; k < count; k++) {
             measure(rays, k, from, to, workspace);
-            record(rays, k, workspace.along, workspace.square, workspace.distance, from, to);
+            record(rays, k, workspace, from, to);
         }
     }
 
     /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it hits it. */
     private void measure(Rays rays, int k, int from, int to, Workspace workspace) {
-        offsets(rays, k, workspace.along, from, to);
-        cosines(nx[k], ny[k], nz[k], rays.dx, rays.dy, rays.dz, workspace.square, from, to);
-        divide(workspace.along, workspace.square, workspace.distance, from, to);
+        offsets(rays, k, workspace.offset, from, to);
+        cosines(rays, k, workspace.cosine, from, to);
+        divide(workspace.offset, workspace.cosine, workspace.distance, from, to);
     }
+
+    // Methods and not kernels, which would be slower here: C2 spills what the loops around them need.
 
     /** out = (p - o) . n */
     private void offsets(Rays rays, int k, double[] out, int from, int to) {
-        offsets(px[k], py[k], pz[k], rays.ox, rays.oy, rays.oz, nx[k], ny[k], nz[k], out, from, to);
-    }
-
-    private static void offsets(double px, double py, double pz, double[] ox, double[] oy, double[] oz,
-            double nx, double ny, double nz, double[] out, int from, int to) {
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz;
+        double x = px[k], y = py[k], z = pz[k], a = nx[k], b = ny[k], c = nz[k];
         for (int i = from; i < to; i++) {
-            out[i] = (px - ox[i]) * nx + (py - oy[i]) * ny + (pz - oz[i]) * nz;
+            out[i] = (x - ox[i]) * a + (y - oy[i]) * b + (z - oz[i]) * c;
         }
     }
 
-    // Passes apart, as elsewhere, would be slower here: C2 spills what the loops around them need.
-
     /** out = d . n */
-    private static void cosines(double nx, double ny, double nz, double[] dx, double[] dy, double[] dz,
-            double[] out, int from, int to) {
+    private void cosines(Rays rays, int k, double[] out, int from, int to) {
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz;
+        double a = nx[k], b = ny[k], c = nz[k];
         for (int i = from; i < to; i++) {
-            out[i] = dx[i] * nx + dy[i] * ny + dz[i] * nz;
+            out[i] = dx[i] * a + dy[i] * b + dz[i] * c;
         }
     }
 
@@ -90,7 +88,8 @@ public final class Planes implements Surfaces {
         }
     }
 
-    private void record(Rays rays, int k, double[] offset, double[] cosine, double[] distance, int from, int to) {
+    private void record(Rays rays, int k, Workspace workspace, int from, int to) {
+        double[] offset = workspace.offset, cosine = workspace.cosine, distance = workspace.distance;
         for (int i = from; i < to; i++) {
             if (isHit(rays, i, k, offset[i], cosine[i], distance[i])) {
                 rays.record(i, firstSurface + k, distance[i]);
@@ -118,8 +117,8 @@ public final class Planes implements Surfaces {
     public void collect(Rays rays, int i, Candidates candidates, Workspace workspace) {
         for (int k = 0; k < count; k++) {
             measure(rays, k, i, i + 1, workspace);
-            double cosine = workspace.square[i], t = workspace.distance[i];
-            if (isHit(rays, i, k, workspace.along[i], cosine, t)) {
+            double cosine = workspace.cosine[i], t = workspace.distance[i];
+            if (isHit(rays, i, k, workspace.offset[i], cosine, t)) {
                 candidates.add(firstSurface + k, t, Rounding.planeDistance(
                         rays.originError[i], rays.directionError[i], products(rays, i, k), t, cosine));
             }
@@ -135,8 +134,8 @@ public final class Planes implements Surfaces {
         for (int k = 0; k < count; k++) {
             int side = sideOfLight(shadows.light, k);
             if (side != 0) {
-                offsets(rays, k, workspace.along, from, to);
-                close(rays, shadows.unoccluded, k, side, workspace.along, from, to);
+                offsets(rays, k, workspace.offset, from, to);
+                close(rays, shadows.unoccluded, k, side, workspace.offset, from, to);
             }
         }
     }
@@ -175,10 +174,12 @@ public final class Planes implements Surfaces {
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
-        for (int i = from; i < to; i++) {
-            int k = rays.hit[i] - firstSurface;
-            rays.moveToPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
-        }
+    public Kernel moving(Rays rays, Workspace workspace) {
+        return (from, to) -> {
+            for (int i = from; i < to; i++) {
+                int k = rays.hit[i] - firstSurface;
+                rays.moveToPlane(i, products(rays, i, k), nx[k], ny[k], nz[k]);
+            }
+        };
     }
 }

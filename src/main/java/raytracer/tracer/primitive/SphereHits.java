@@ -5,47 +5,43 @@ import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.Rays;
 
-/**
- * Takes rays to where they have hit spheres: their origins become those points, with bounds on their errors, and the
- * normals are set.
- */
-public final class SphereHits {
+/** Moves rays to where they hit spheres. */
+final class SphereHits implements Kernel {
 
-    private final double[] data;
+    private final SphereArray spheres;
     private final int firstSurface;
     private final Rays rays;
     /** By ray the sphere that it has hit, in the order of a sphere's numbers. */
     private final double[][] sphere;
     private final Kernel kernels;
 
-    /** @param data spheres, {@link Spheres#STRIDE} numbers each */
-    SphereHits(double[] data, int firstSurface, Rays rays, Workspace workspace) {
-        this.data = data;
+    SphereHits(SphereArray spheres, int firstSurface, Rays rays, Workspace workspace) {
+        this.spheres = spheres;
         this.firstSurface = firstSurface;
         this.rays = rays;
-        double[] radius = workspace.radius;
-        Vectors centre = new Vectors(workspace.centreX, workspace.centreY, workspace.centreZ);
+        Vectors centre = workspace.centre;
+        double[] radius = workspace.radius, l1Norm = workspace.l1Norm, along = workspace.along, spare = workspace.spare;
         sphere = new double[][] {centre.x(), centre.y(), centre.z(), radius};
         kernels = new Kernel.InTurn(
                 Kernel.subtract(rays.origin, centre, rays.normal),
-                new Kernel.L1Norm(rays.normal, workspace.l1Norm),
-                new Kernel.Dot(rays.normal, rays.direction, workspace.along),
+                new Kernel.L1Norm(rays.normal, l1Norm),
+                new Kernel.Dot(rays.normal, rays.direction, along),
                 // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
                 Kernel.addProduct(rays.origin, 1, rays.distance, rays.direction, rays.origin),
                 Kernel.subtract(rays.origin, centre, rays.normal),
-                new Kernel.Length(rays.normal, workspace.square),
-                new Kernel.DivideByLength(rays.normal, workspace.square),
-                Rounding.sphereSlide(workspace.l1Norm, radius, workspace.along, rays.distance, workspace.square, rays.slide),
-                new Kernel.L1Norm(rays.origin, workspace.square),
-                new Rounding.SpherePoint(rays.distance, workspace.square, rays.slide, radius, rays.originError,
-                        rays.normalError));
+                new Kernel.Length(rays.normal, spare),
+                new Kernel.DivideByLength(rays.normal, spare),
+                Rounding.sphereSlide(l1Norm, radius, along, rays.distance, spare, rays.slide),
+                new Kernel.L1Norm(rays.origin, spare),
+                new Rounding.SpherePoint(rays.distance, spare, rays.slide, radius, rays.originError, rays.normalError));
     }
 
-    void run(int from, int to) {
+    @Override
+    public void run(int from, int to) {
         boolean same = rays.haveHitTheSame(from, to);
-        for (int number = 0; number < Spheres.STRIDE; number++) {
+        for (int number = 0; number < SphereArray.STRIDE; number++) {
             if (same) {
-                Kernel.run(new Kernel.Fill(sphere[number], data[at(from) + number]), from, to);
+                Kernel.run(new Kernel.Fill(sphere[number], spheres.numbers()[at(from) + number]), from, to);
             } else {
                 gather(sphere[number], number, from, to);
             }
@@ -55,12 +51,12 @@ public final class SphereHits {
 
     private void gather(double[] out, int number, int from, int to) {
         for (int i = from; i < to; i++) {
-            out[i] = data[at(i) + number];
+            out[i] = spheres.numbers()[at(i) + number];
         }
     }
 
     /** Where the numbers of the sphere are that a ray has hit. */
     private int at(int ray) {
-        return Spheres.STRIDE * (rays.hit[ray] - firstSurface);
+        return SphereArray.STRIDE * (rays.hit[ray] - firstSurface);
     }
 }

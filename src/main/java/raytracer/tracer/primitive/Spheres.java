@@ -9,8 +9,7 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.PowerOfPoint;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.BoundingShapes;
-import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -25,23 +24,12 @@ public final class Spheres extends BoundedSurfaces {
     /** Of the tree: a ray tries a box much faster than a sphere. */
     public static final int LEAF_SIZE = 1;
 
-    /** Numbers of one sphere in {@link #data}: centre and radius. */
-    static final int STRIDE = 4;
-
-    private final double[] data;
+    private final SphereArray data;
 
     /** @param spheres in the order of the tree's leaves */
-    public Spheres(List<Shape.Sphere> spheres, int firstSurface, Bvh bvh, List<Viewpoint> viewpoints) {
-        super(firstSurface, bvh, BoundingShapes.of(spheres), viewpoints);
-        int count = spheres.size();
-        data = new double[STRIDE * count];
-        for (int k = 0; k < count; k++) {
-            Vector c = spheres.get(k).centre();
-            data[STRIDE * k] = c.x();
-            data[STRIDE * k + 1] = c.y();
-            data[STRIDE * k + 2] = c.z();
-            data[STRIDE * k + 3] = spheres.get(k).radius();
-        }
+    public Spheres(List<Shape.Sphere> spheres, int firstSurface, Bvh bvh, Viewpoints viewpoints) {
+        super("spheres", firstSurface, bvh, viewpoints);
+        data = SphereArray.of(spheres);
     }
 
     public static Bounds bounds(List<Shape.Sphere> spheres) {
@@ -58,8 +46,18 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
+    public Vector corner(int k, int corner) {
+        return new Vector(data.x(k), data.y(k), data.z(k));
+    }
+
+    @Override
+    public double radius(int k) {
+        return data.radius(k);
+    }
+
+    @Override
     double distance(Rays rays, int i, int k) {
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
         double along = x * dx + y * dy + z * dz;
@@ -95,12 +93,13 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
-            double originError, double directionError, Workspace workspace) { }
+    public boolean hasSieve() {
+        return false;
+    }
 
     /** All: a leaf is one sphere, whose box the ray has hit. */
     @Override
-    public int inSight(int first, int end, Workspace workspace) {
+    public int mayHit(int first, int end, Workspace workspace) {
         return (1 << end - first) - 1;
     }
 
@@ -118,7 +117,7 @@ public final class Spheres extends BoundedSurfaces {
             passBy(rays, rays.direction, from, to, k, workspace);
         }
         double x = rays.ox[from], y = rays.oy[from], z = rays.oz[from];
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         double power = rays.leaveEye ? PowerOfPoint.of(x, y, z, cx, cy, cz, r) : 0;
         if (!(power > 0)) {
             for (int i = from; i < to; i++) {
@@ -146,7 +145,7 @@ public final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, workspace);
-        Kernel.run(new PlainSphere.Close(rays, shadows, data[STRIDE * k + 3], surface(k), lightSide, workspace), from, to);
+        Kernel.run(new PlainSphere.Close(rays, shadows, data.radius(k), surface(k), lightSide, workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             int i = workspace.doubtful[n];
             shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
@@ -158,7 +157,7 @@ public final class Spheres extends BoundedSurfaces {
             Rays rays, ShadowRays shadows, int from, int to, int k, int lightSide, Workspace workspace) {
         double[] along = workspace.along;
         boolean[] unoccluded = shadows.unoccluded;
-        Kernel.run(new Perpendicular.Along(rays.origin, data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2],
+        Kernel.run(new Perpendicular.Along(rays.origin, data.x(k), data.y(k), data.z(k),
                 shadows.direction, along), from, to);
         for (int i = from; i < to; i++) {
             if (along[i] < 0 && unoccluded[i]) {
@@ -168,14 +167,14 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     private void passBy(Rays rays, Vectors d, int from, int to, int k, Workspace workspace) {
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         Kernel.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
         Kernel.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square), from, to);
     }
 
     private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
-        double x = rays.ox[from] - data[STRIDE * k], y = rays.oy[from] - data[STRIDE * k + 1];
-        double z = rays.oz[from] - data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double x = rays.ox[from] - data.x(k), y = rays.oy[from] - data.y(k);
+        double z = rays.oz[from] - data.z(k), r = data.radius(k);
         Kernel.run(new Kernel.DotWith(x, y, z, rays.direction, workspace.along), from, to);
         Kernel.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
                 from, to);
@@ -183,11 +182,10 @@ public final class Spheres extends BoundedSurfaces {
 
     @Override
     double distanceError(Rays rays, int i, int k, double t) {
-        int at = STRIDE * k;
-        double x = rays.ox[i] - data[at], y = rays.oy[i] - data[at + 1], z = rays.oz[i] - data[at + 2];
+        double x = rays.ox[i] - data.x(k), y = rays.oy[i] - data.y(k), z = rays.oz[i] - data.z(k);
         double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
         return Rounding.sphereDistance(rays.originError[i], rays.directionError[i],
-                Math.abs(x) + Math.abs(y) + Math.abs(z), data[at + 3], Math.abs(t + along), along, t);
+                Math.abs(x) + Math.abs(y) + Math.abs(z), data.radius(k), Math.abs(t + along), along, t);
     }
 
     /**
@@ -211,7 +209,7 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     private boolean blocks(Rays rays, ShadowRays shadows, int i, int k, int lightSide) {
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
         double along = x * dx + y * dy + z * dz;
@@ -252,7 +250,7 @@ public final class Spheres extends BoundedSurfaces {
         if (light.directional()) {
             return 1;
         }
-        double error = Rounding.power(light.positionError(), data[STRIDE * k + 3], 0, 0);
+        double error = Rounding.power(light.positionError(), data.radius(k), 0, 0);
         return sign(power(light.x(), light.y(), light.z(), error, k), error);
     }
 
@@ -263,7 +261,7 @@ public final class Spheres extends BoundedSurfaces {
 
     /** The power of a point, exactly enough to compare with a bound. */
     private double power(double px, double py, double pz, double bound, int k) {
-        double cx = data[STRIDE * k], cy = data[STRIDE * k + 1], cz = data[STRIDE * k + 2], r = data[STRIDE * k + 3];
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         double x = px - cx, y = py - cy, z = pz - cz;
         double square = x * x + y * y + z * z;
         double power = square - r * r;
@@ -277,15 +275,7 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
-        if (workspace.sphereHits == null) {
-            prepareToMove(rays, workspace);
-        }
-        workspace.sphereHits.run(from, to);
-    }
-
-    /** Apart: C2 compiles a constructor into its caller, however rarely it is called. */
-    private void prepareToMove(Rays rays, Workspace workspace) {
-        workspace.sphereHits = new SphereHits(data, surface(0), rays, workspace);
+    public Kernel moving(Rays rays, Workspace workspace) {
+        return new SphereHits(data, surface(0), rays, workspace);
     }
 }

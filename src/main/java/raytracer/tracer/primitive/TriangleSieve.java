@@ -2,7 +2,6 @@ package raytracer.tracer.primitive;
 
 import raytracer.scene.Mesh;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Rounding;
 
 /**
  * Tells quickly that a ray's line clearly passes a triangle by: floats, few of them, and no branch. Each triangle is
@@ -14,13 +13,6 @@ import raytracer.tracer.kernel.Rounding;
 public final class TriangleSieve {
 
     private static final int STRIDE = 16;
-
-    /**
-     * Of an edge's bound: floats' rounding of a side. With v = 2^-24 and coordinates up to 1, directions, moments,
-     * edges and products are off by v, which is sqrt 3 v in a side each, and each of its terms is rounded 7 times,
-     * 14 sqrt 3 v: 31.2v in all.
-     */
-    private static final double ROUNDING = 40 * 0x1p-24;
 
     /**
      * An edge's bound is no less: of shorter ones a side is off by more because corners are rounded by u in tree space,
@@ -62,15 +54,15 @@ public final class TriangleSieve {
     // A corner in tree space.
 
     private double x(int k, int corner) {
-        return (mesh.coordinate(bvh.order()[k], corner, 0) - bvh.centreX()) * bvh.scale();
+        return bvh.space().x(mesh.coordinate(bvh.order()[k], corner, 0));
     }
 
     private double y(int k, int corner) {
-        return (mesh.coordinate(bvh.order()[k], corner, 1) - bvh.centreY()) * bvh.scale();
+        return bvh.space().y(mesh.coordinate(bvh.order()[k], corner, 1));
     }
 
     private double z(int k, int corner) {
-        return (mesh.coordinate(bvh.order()[k], corner, 2) - bvh.centreZ()) * bvh.scale();
+        return bvh.space().z(mesh.coordinate(bvh.order()[k], corner, 2));
     }
 
     private void setCross(int at, double ax, double ay, double az, double bx, double by, double bz) {
@@ -89,7 +81,7 @@ public final class TriangleSieve {
      *
      * @param end at most 32 behind the first
      */
-    int mayHit(Line line, int first, int end) {
+    int mayHit(SieveLine line, int first, int end) {
         int bits = 0;
         for (int k = first; k < end; k++) {
             bits |= ~clear(line, k) >>> 31 << k - first;
@@ -98,7 +90,7 @@ public final class TriangleSieve {
     }
 
     /** Negative if a line clearly passes edges of triangle k on different sides. */
-    private int clear(Line line, int k) {
+    private int clear(SieveLine line, int k) {
         float[] n = numbers;
         int at = STRIDE * k;
         float mx = line.momentX, my = line.momentY, mz = line.momentZ, dx = line.dx, dy = line.dy, dz = line.dz;
@@ -114,35 +106,5 @@ public final class TriangleSieve {
         int right = Float.floatToRawIntBits(bound - ab) | Float.floatToRawIntBits(bound - bc)
                 | Float.floatToRawIntBits(ac + bound);
         return left & right;
-    }
-
-    /** A ray's line: its direction and moment, origin x direction, in tree space. One object serves ray after ray. */
-    static final class Line {
-
-        private float dx, dy, dz;
-        private float momentX, momentY, momentZ;
-        private float tolerance;
-
-        /**
-         * Takes the line of a ray through (x, y, z) in tree space.
-         *
-         * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
-         * @param originError of each coordinate, in tree space
-         */
-        void take(double x, double y, double z, double far, double dx, double dy, double dz,
-                double originError, double directionError) {
-            this.dx = (float) dx;
-            this.dy = (float) dy;
-            this.dz = (float) dz;
-            momentX = (float) (y * dz - z * dy);
-            momentY = (float) (z * dx - x * dz);
-            momentZ = (float) (x * dy - y * dx);
-            // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
-            double l1Norm = 2 * (far + 4);
-            // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side
-            // for edges up to twice as long as the bound here); and a walk moves the origin, by which a side is
-            // off by less than another two such bounds.
-            tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, l1Norm, 1));
-        }
     }
 }

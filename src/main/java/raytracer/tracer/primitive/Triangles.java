@@ -1,6 +1,5 @@
 package raytracer.tracer.primitive;
 
-import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
@@ -10,8 +9,7 @@ import raytracer.tracer.bvh.ParallelRange;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.BoundingShapes;
-import raytracer.tracer.lightbuffer.Viewpoint;
+import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -60,8 +58,8 @@ public final class Triangles extends BoundedSurfaces {
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
-    public Triangles(Mesh mesh, int firstSurface, Bvh bvh, List<Viewpoint> viewpoints, ForkJoinPool pool) {
-        super(firstSurface, bvh, BoundingShapes.of(mesh, bvh.order()), viewpoints);
+    public Triangles(Mesh mesh, int firstSurface, Bvh bvh, Viewpoints viewpoints, ForkJoinPool pool) {
+        super("triangles", firstSurface, bvh, viewpoints);
         this.mesh = mesh;
         order = bvh.order();
         data = new double[Math.multiplyExact(STRIDE, order.length)];
@@ -85,6 +83,22 @@ public final class Triangles extends BoundedSurfaces {
                 + Math.abs(ac.x()) + Math.abs(ac.y()) + Math.abs(ac.z());
     }
 
+    private double nx(int k) {
+        return data[STRIDE * k];
+    }
+
+    private double ny(int k) {
+        return data[STRIDE * k + 1];
+    }
+
+    private double nz(int k) {
+        return data[STRIDE * k + 2];
+    }
+
+    private double edges(int k) {
+        return data[STRIDE * k + 3];
+    }
+
     private double corner(int k, int corner, int axis) {
         return mesh.coordinate(order[k], corner, axis);
     }
@@ -102,12 +116,23 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
+    public Vector corner(int k, int corner) {
+        return mesh.corner(order[k], corner);
+    }
+
+    /** None: a triangle bounds itself. */
+    @Override
+    public double radius(int k) {
+        return 0;
+    }
+
+    @Override
     double distance(Rays rays, int i, int k) {
         if (rays.source[i] == surface(k)) {
             return Double.NaN;
         }
         double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
-        double nx = data[STRIDE * k], ny = data[STRIDE * k + 1], nz = data[STRIDE * k + 2];
+        double nx = nx(k), ny = ny(k), nz = nz(k);
         double offset = ax * nx + ay * ny + az * nz;
         double cosine = rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz;
         double t = offset / cosine;
@@ -122,8 +147,8 @@ public final class Triangles extends BoundedSurfaces {
 
     /** Whether a ray clearly does not start on a triangle's plane, which is off by this as seen from there. */
     private boolean startsOff(Rays rays, int i, int k, double x, double y, double z, double offset) {
-        double cosine = rays.dx[i] * data[STRIDE * k] + rays.dy[i] * data[STRIDE * k + 1]
-                + rays.dz[i] * data[STRIDE * k + 2];
+        double cosine = rays.dx[i] * nx(k) + rays.dy[i] * ny(k)
+                + rays.dz[i] * nz(k);
         double error = rays.originError[i] + rays.slide[i] * Math.abs(cosine);
         return Math.abs(offset) > Rounding.planeOffset(error, Math.abs(x) + Math.abs(y) + Math.abs(z))
                 || Math.abs(offset) > Rounding.planeOffset(error, productsOfFar(k, x, y, z));
@@ -138,13 +163,12 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public void look(Bvh tree, double x, double y, double z, double far, double dx, double dy, double dz,
-            double originError, double directionError, Workspace workspace) {
-        workspace.line.take(x, y, z, far, dx, dy, dz, originError * tree.scale(), directionError);
+    public boolean hasSieve() {
+        return true;
     }
 
     @Override
-    public int inSight(int first, int end, Workspace workspace) {
+    public int mayHit(int first, int end, Workspace workspace) {
         return sieve.mayHit(workspace.line, first, end);
     }
 
@@ -177,7 +201,7 @@ public final class Triangles extends BoundedSurfaces {
     @Override
     public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
         double clear = passBy(rays.direction, from, to, k, workspace);
-        double[] product = workspace.square;
+        double[] product = workspace.minProduct;
         for (int i = from; i < to; i++) {
             if (!(product[i] < clear)) {
                 intersect(rays, i, k);
@@ -188,7 +212,7 @@ public final class Triangles extends BoundedSurfaces {
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
         double clear = passBy(shadows.direction, from, to, k, workspace);
-        double[] product = workspace.square;
+        double[] product = workspace.minProduct;
         for (int i = from; i < to; i++) {
             if (shadows.unoccluded[i] && !(product[i] < clear)) {
                 shadows.unoccluded[i] = !blocks(rays, shadows, i, k);
@@ -197,7 +221,7 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     /**
-     * Computes for all rays the least product of two edges' sides, in {@link Workspace#square}: negative where a ray
+     * Computes for all rays the least product of two edges' sides, in {@link Workspace#minProduct}: negative where a ray
      * passes edges on different sides. The sides are those of {@link #within}, but from the rays' moments about
      * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
      * digits, and is only a first sieve.
@@ -205,11 +229,11 @@ public final class Triangles extends BoundedSurfaces {
      * @return rays are clear of the triangle if they have less than this
      */
     private double passBy(Vectors d, int from, int to, int k, Workspace workspace) {
-        double[] ab = workspace.centreX, bc = workspace.centreY, ca = workspace.centreZ;
+        double[] ab = workspace.sides.x(), bc = workspace.sides.y(), ca = workspace.sides.z();
         sides(k, 0, 1, d, ab, from, to, workspace);
         sides(k, 1, 2, d, bc, from, to, workspace);
         sides(k, 2, 0, d, ca, from, to, workspace);
-        Kernel.run(new MinProduct(ab, bc, ca, workspace.square), from, to);
+        Kernel.run(new MinProduct(ab, bc, ca, workspace.minProduct), from, to);
         double edges = difference(k, 0, 1) + difference(k, 0, 2);
         double l1Norm = Math.abs(corner(k, 0, 0)) + Math.abs(corner(k, 0, 1)) + Math.abs(corner(k, 0, 2)) + edges
                 + workspace.farthest;
@@ -246,7 +270,7 @@ public final class Triangles extends BoundedSurfaces {
 
     @Override
     double distanceError(Rays rays, int i, int k, double t) {
-        double cosine = rays.dx[i] * data[STRIDE * k] + rays.dy[i] * data[STRIDE * k + 1] + rays.dz[i] * data[STRIDE * k + 2];
+        double cosine = rays.dx[i] * nx(k) + rays.dy[i] * ny(k) + rays.dz[i] * nz(k);
         return Rounding.planeDistance(
                 rays.originError[i], rays.directionError[i], products(rays, i, k, t), t, cosine);
     }
@@ -264,7 +288,7 @@ public final class Triangles extends BoundedSurfaces {
     /** By coordinates: the normal's error is 4u of the magnitudes that its products have, and may be none. */
     private double productsOfFar(int k, double x, double y, double z) {
         Vector a = mesh.corner(order[k], 0), e = mesh.corner(order[k], 1).minus(a), f = mesh.corner(order[k], 2).minus(a);
-        double length = e.cross(f).dot(new Vector(data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2])) / 2;
+        double length = e.cross(f).dot(new Vector(nx(k), ny(k), nz(k))) / 2;
         return Math.abs(x) * ((Math.abs(e.y() * f.z()) + Math.abs(e.z() * f.y())) / length)
                 + Math.abs(y) * ((Math.abs(e.z() * f.x()) + Math.abs(e.x() * f.z())) / length)
                 + Math.abs(z) * ((Math.abs(e.x() * f.y()) + Math.abs(e.y() * f.x())) / length);
@@ -286,7 +310,7 @@ public final class Triangles extends BoundedSurfaces {
         double ab = side(ax, ay, az, bx, by, bz, dx, dy, dz);
         double bc = side(bx, by, bz, cx, cy, cz, dx, dy, dz);
         double ca = side(cx, cy, cz, ax, ay, az, dx, dy, dz);
-        double edges = data[STRIDE * k + 3];
+        double edges = edges(k);
         double margin = Rounding.edge(
                 originError, directionError, Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges, 1);
         double bound = edges * margin;
@@ -318,7 +342,7 @@ public final class Triangles extends BoundedSurfaces {
                 return Double.NaN;
             }
         }
-        double cosine = Math.abs(x * data[STRIDE * k] + y * data[STRIDE * k + 1] + z * data[STRIDE * k + 2]);
+        double cosine = Math.abs(x * nx(k) + y * ny(k) + z * nz(k));
         double inBox = Math.max(near, Math.min(far, t)), moved = Math.abs(t - inBox);
         return near <= far && moved * cosine <= 2 * margin && (cosine <= GRAZING || moved <= Rounding.TIE_SIEVE / 4 * t)
                 ? inBox : Double.NaN;
@@ -341,7 +365,7 @@ public final class Triangles extends BoundedSurfaces {
             return false;
         }
         double x = corner(k, 0, 0) - rays.ox[i], y = corner(k, 0, 1) - rays.oy[i], z = corner(k, 0, 2) - rays.oz[i];
-        double nx = data[STRIDE * k], ny = data[STRIDE * k + 1], nz = data[STRIDE * k + 2];
+        double nx = nx(k), ny = ny(k), nz = nz(k);
         double offset = x * nx + y * ny + z * nz;
         double cosine = shadows.dx[i] * nx + shadows.dy[i] * ny + shadows.dz[i] * nz;
         // In front of the ray, and the ray's line passes within. What is beyond the light comes last, as the rarest.
@@ -359,7 +383,7 @@ public final class Triangles extends BoundedSurfaces {
             return true;
         }
         double x = corner(k, 0, 0) - light.x(), y = corner(k, 0, 1) - light.y(), z = corner(k, 0, 2) - light.z();
-        double lightOffset = x * data[STRIDE * k] + y * data[STRIDE * k + 1] + z * data[STRIDE * k + 2];
+        double lightOffset = x * nx(k) + y * ny(k) + z * nz(k);
         double bound = Rounding.planeOffset(light.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lightOffset < -bound : lightOffset > bound;
     }
@@ -370,10 +394,15 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
-        for (int i = from; i < to; i++) {
-            int k = number(rays.hit[i]);
-            rays.moveToPlane(i, products(rays, i, k, rays.distance[i]), data[STRIDE * k], data[STRIDE * k + 1], data[STRIDE * k + 2]);
-        }
+    public Kernel moving(Rays rays, Workspace workspace) {
+        return (from, to) -> {
+            for (int i = from; i < to; i++) {
+                moveToHit(rays, i, number(rays.hit[i]));
+            }
+        };
+    }
+
+    private void moveToHit(Rays rays, int i, int k) {
+        rays.moveToPlane(i, products(rays, i, k, rays.distance[i]), nx(k), ny(k), nz(k));
     }
 }

@@ -9,23 +9,28 @@ import raytracer.tracer.rays.Rays;
 public final class Workspace {
 
     public final BvhWalk walk = new BvhWalk();
-    final TriangleSieve.Line line = new TriangleSieve.Line();
+    public final SieveLine line = new SieveLine();
 
-    /** Made when the first ray hits a sphere. */
-    SphereHits sphereHits;
-
-    /** Rays that a pass over all of them could not decide. */
+    /** Rays that a kernel over all of them could not decide. */
     final int[] doubtful = new int[Batch.CAPACITY];
     int doubtfulCount;
 
-    final double[] along = new double[Batch.CAPACITY];
-    final double[] square = new double[Batch.CAPACITY];
-    final double[] l1Norm = new double[Batch.CAPACITY];
+    // Of a plane: how far it is along its normal, how fast the ray goes that way, and the quotient.
+    final double[] offset = new double[Batch.CAPACITY];
+    final double[] cosine = new double[Batch.CAPACITY];
     final double[] distance = new double[Batch.CAPACITY];
-    final double[] centreX = new double[Batch.CAPACITY];
-    final double[] centreY = new double[Batch.CAPACITY];
-    final double[] centreZ = new double[Batch.CAPACITY];
+
+    // Of a sphere: direction . (origin - centre), the square of half the chord, centre and radius.
+    final double[] along = offset;
+    final double[] square = cosine;
+    final Vectors centre = new Vectors();
     final double[] radius = new double[Batch.CAPACITY];
+    final double[] l1Norm = new double[Batch.CAPACITY];
+    final double[] spare = square;
+
+    // Of a triangle: the sides of its edges, and the least product of two of them.
+    final Vectors sides = centre;
+    final double[] minProduct = square;
 
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
     final Vectors moment = new Vectors();

@@ -148,19 +148,18 @@ public final class Beam {
         return count;
     }
 
-    /** Thing number i of those found: its place in the tree's order. */
+    /** Primitive number i of those found: its place in the tree's order. */
     int primitive(int i) {
         return primitives[i];
     }
 
     private void toTreeSpace(Bvh bvh) {
-        double[] centre = {bvh.centreX(), bvh.centreY(), bvh.centreZ()};
         for (int axis = 0; axis < 3; axis++) {
-            minOrigin[axis] = (minOrigin[axis] - centre[axis]) * bvh.scale();
-            maxOrigin[axis] = (maxOrigin[axis] - centre[axis]) * bvh.scale();
+            minOrigin[axis] = bvh.space().coordinate(axis, minOrigin[axis]);
+            maxOrigin[axis] = bvh.space().coordinate(axis, maxOrigin[axis]);
         }
         // Rounded up by more than hits are compared by; the padding has room for it.
-        maxDistance *= bvh.scale() * (1 + 2 * Rounding.TIE_SIEVE);
+        maxDistance *= bvh.space().scale() * (1 + 2 * Rounding.TIE_SIEVE);
     }
 
     /** Whether the rays go the same way along at least one axis, and start near enough. */

@@ -210,7 +210,7 @@ public class BvhTest {
         Bvh bvh = build(boxes, 2);
         assertEquals(1, bvh.oversized());
         assertEquals(500, bvh.order()[0]);
-        assertTrue(bvh.scale() >= .25, "the tree is as large as the rest");
+        assertTrue(bvh.space().scale() >= .25, "the tree is as large as the rest");
     }
 
     @ParameterizedTest(name = "of {0} parts of the width of all: {1} beside")

@@ -24,11 +24,12 @@ import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.primitive.BoundedSurfaces;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.primitive.Surfaces;
 import raytracer.tracer.primitive.Triangles;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
@@ -39,6 +40,20 @@ public class LightBufferTest {
 
     private static final int COUNT = 500;
     public static final Vector ORIGIN = new Vector(0, 0, 0);
+
+    /** No buffers. */
+    public static final Viewpoints NONE = new Viewpoints(List.of(), new Progress());
+
+    /** So much work is ahead that buffers are built soon. */
+    public static Viewpoints viewpoints(Viewpoint viewpoint) {
+        Progress progress = new Progress();
+        progress.expect(Integer.MAX_VALUE);
+        return new Viewpoints(List.of(viewpoint), progress);
+    }
+
+    private static Viewpoints viewpoints(LightSource lamp) {
+        return viewpoints(new Viewpoint(lamp, null));
+    }
 
     private static double coordinate(Random random, double size) {
         return size * (2 * random.nextDouble() - 1);
@@ -112,27 +127,35 @@ public class LightBufferTest {
     }
 
     /** Triangles that are thick, so that what is outside of their edges counts as much as a sphere does. */
-    private static BoundingShapes rounded(Mesh mesh, Bvh bvh, double radius) {
-        BoundingShapes flat = BoundingShapes.of(mesh, bvh.order());
-        return (from, to, hulls) -> {
-            flat.get(from, to, hulls);
-            Arrays.fill(hulls.radius(), 0, to - from, radius);
+    /** Triangles by their numbers in a tree, and all that is no farther from them than a radius. */
+    private static BoundingShapes shapes(Mesh mesh, Bvh bvh, double radius) {
+        return new BoundingShapes() {
+            @Override
+            public Vector corner(int k, int corner) {
+                return mesh.corner(bvh.order()[k], corner);
+            }
+
+            @Override
+            public double radius(int k) {
+                return radius;
+            }
         };
     }
 
-    /** Points behind things, as the lamp sees them, are looked up; returns how many entries were to be tried. */
-    private static long assertHasAllInTheWay(Bvh bvh, BoundingShapes hulls, LightSource lamp, Random random) {
-        LightBuffer buffer = LightBufferBuilder.build(bvh, hulls, new Viewpoint(lamp, null));
+    private static BoundingShapes shapes(Bvh bvh, List<Shape.Sphere> spheres) {
+        return new Spheres(inOrder(bvh, spheres), 0, bvh, NONE);
+    }
+
+    private static long assertHasAllInTheWay(Bvh bvh, BoundingShapes shapes, LightSource lamp, Random random) {
+        LightBuffer buffer = LightBufferBuilder.build(bvh, shapes, new Viewpoint(lamp, null));
         assertNotNull(buffer);
         LightBuffer.Cells cells = new LightBuffer.Cells();
         Rays rays = new Rays();
         Vector light = new Vector(lamp.x(), lamp.y(), lamp.z());
-        BoundingShapes.Chunk hull = new BoundingShapes.Chunk();
         long entries = 0;
         for (int i = 0; i < 20_000; i++) {
             int k = bvh.oversized() + random.nextInt(COUNT - bvh.oversized());
-            hulls.get(k, k + 1, hull);
-            Vector q = pointOf(hull, random);
+            Vector q = pointOf(shapes, k, random);
             Vector way = lamp.directional() ? light.times(-1) : q.minus(light);
             if (way.isZero()) {
                 continue;
@@ -152,18 +175,14 @@ public class LightBufferTest {
         return entries / 20_000;
     }
 
-    /** A point of a hull: inside, or often on an edge or in a corner; on or in a sphere around that. */
-    private static Vector pointOf(BoundingShapes.Chunk hull, Random random) {
+    /** A point of a bounding shape: inside, or often on an edge or in a corner; on or in a sphere around that. */
+    private static Vector pointOf(BoundingShapes shapes, int k, Random random) {
         double u = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextDouble();
         double v = u == 1 ? 0 : random.nextInt(3) == 0 ? 0 : (1 - u) * random.nextDouble();
-        Vector a = first(hull.a());
-        Vector flat = plus(plus(a, u, first(hull.b()).minus(a)), v, first(hull.c()).minus(a));
+        Vector a = shapes.corner(k, 0);
+        Vector flat = plus(plus(a, u, shapes.corner(k, 1).minus(a)), v, shapes.corner(k, 2).minus(a));
         Vector outwards = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
-        return plus(flat, hull.radius()[0] * (random.nextBoolean() ? 1 : random.nextDouble()), outwards);
-    }
-
-    private static Vector first(Vectors vectors) {
-        return new Vector(vectors.x()[0], vectors.y()[0], vectors.z()[0]);
+        return plus(flat, shapes.radius(k) * (random.nextBoolean() ? 1 : random.nextDouble()), outwards);
     }
 
     @ParameterizedTest(name = "has what is in a ray''s way: world offset {0}, things of {1}, lamp {2} away")
@@ -179,9 +198,9 @@ public class LightBufferTest {
             for (int kind = 0; kind < 3; kind++) {
                 Vector towards = kind == 2 ? within(random, 1).unit() : plus(middle, away, within(random, 1).unit());
                 LightSource lamp = lamp(kind == 2, towards);
-                long tried = assertHasAllInTheWay(flat, BoundingShapes.of(mesh, flat.order()), lamp, random)
-                        + assertHasAllInTheWay(thick, rounded(mesh, thick, size / 8), lamp, random)
-                        + assertHasAllInTheWay(curved, BoundingShapes.of(inOrder(curved, balls)), lamp, random);
+                long tried = assertHasAllInTheWay(flat, shapes(mesh, flat, 0), lamp, random)
+                        + assertHasAllInTheWay(thick, shapes(mesh, thick, size / 8), lamp, random)
+                        + assertHasAllInTheWay(curved, shapes(curved, balls), lamp, random);
                 assertTrue(tried < 3 * COUNT / 10, tried + " of " + 3 * COUNT + " things tried");
             }
         }
@@ -194,7 +213,7 @@ public class LightBufferTest {
         Bvh bvh = tree(mesh);
         Vector a = mesh.corner(7, 0), b = mesh.corner(7, 1), c = mesh.corner(7, 2);
         for (Vector on : List.of(a, plus(a, .5, b.minus(a)), plus(plus(a, .25, b.minus(a)), .25, c.minus(a)))) {
-            assertHasAllInTheWay(bvh, BoundingShapes.of(mesh, bvh.order()), lamp(false, on), random);
+            assertHasAllInTheWay(bvh, shapes(mesh, bvh, 0), lamp(false, on), random);
         }
     }
 
@@ -206,7 +225,7 @@ public class LightBufferTest {
         for (Vector axis : List.of(new Vector(1, 0, 0), new Vector(-1, 0, 0), new Vector(0, -1, 0),
                 new Vector(0, 0, 1), new Vector(1, 1, 0).unit(), new Vector(1, -1, 1).unit())) {
             for (boolean directional : new boolean[] {false, true}) {
-                assertHasAllInTheWay(bvh, BoundingShapes.of(inOrder(bvh, spheres)),
+                assertHasAllInTheWay(bvh, shapes(bvh, spheres),
                         lamp(directional, directional ? axis : axis.times(4)), random);
             }
         }
@@ -217,10 +236,10 @@ public class LightBufferTest {
         Random random = new Random(4);
         List<Shape.Sphere> large = spheres(random, ORIGIN, .7);
         Bvh bvh = tree(large);
-        assertNull(LightBufferBuilder.build(bvh, BoundingShapes.of(inOrder(bvh, large)), new Viewpoint(lamp(false, new Vector(0, 2, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, large), new Viewpoint(lamp(false, new Vector(0, 2, 0)), null)));
         List<Shape.Sphere> small = spheres(random, ORIGIN, .05);
         Bvh other = tree(small);
-        BoundingShapes hulls = BoundingShapes.of(inOrder(other, small));
+        BoundingShapes hulls = shapes(other, small);
         assertNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3e6, 0)), null)));
         assertNotNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
     }
@@ -229,8 +248,8 @@ public class LightBufferTest {
     void isNotBuiltOfASingleLeaf() {
         List<Shape.Sphere> one = List.of(new Shape.Sphere(ORIGIN, 1, Material.DEFAULT));
         Bvh bvh = BvhBuilder.build(1, Spheres.bounds(one), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
-        assertNull(LightBufferBuilder.build(bvh, BoundingShapes.of(one), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
-        assertNull(LightBufferBuilder.build(bvh, BoundingShapes.of(one), new Viewpoint(lamp(true, new Vector(0, 1, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, one), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, one), new Viewpoint(lamp(true, new Vector(0, 1, 0)), null)));
     }
 
     @Test
@@ -238,7 +257,7 @@ public class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(new Random(7), ORIGIN, .05);
         Bvh bvh = tree(spheres);
         LightBuffer buffer = LightBufferBuilder.build(
-                bvh, BoundingShapes.of(inOrder(bvh, spheres)), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
+                bvh, shapes(bvh, spheres), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
         Rays rays = new Rays();
         rays.oy[1] = -3e6;
         assertTrue(buffer.isNearEnough(rays, 0, 1));
@@ -246,18 +265,22 @@ public class LightBufferTest {
     }
 
     @Test
-    void isBuiltOnceWalksHaveTakenAsLong() {
+    void isBuiltIfMoreWalksAreToComeThanItCosts() {
         List<Shape.Sphere> spheres = spheres(new Random(5), ORIGIN, .05);
         Bvh bvh = tree(spheres);
         LightSource lamp = lamp(false, new Vector(0, 3, 0));
-        LazyLightBuffer lazy = LazyLightBuffer.of(List.of(new Viewpoint(lamp, null)), bvh, BoundingShapes.of(inOrder(bvh, spheres))).get(lamp);
-        // How many more it takes than there are things depends on what this process has built before.
-        for (int walks = 10; walks < COUNT; walks += 10) {
-            assertNull(lazy.insteadOfWalks(10));
+        // Building costs a walk for each of 500 primitives, and 250,000 as long as its code is cold.
+        for (int ahead : new int[] {250_000, 251_000}) {
+            Progress progress = new Progress();
+            progress.expect(1000 + ahead);
+            progress.add(1000);
+            LazyLightBuffer lazy = new Viewpoints(List.of(new Viewpoint(lamp, null)), progress)
+                    .buffers(bvh, shapes(bvh, spheres)).get(lamp);
+            assertNull(lazy.insteadOfWalks(30), "too few walks to tell");
+            LightBuffer built = lazy.insteadOfWalks(970);
+            assertEquals(ahead == 251_000, built != null, ahead + " walks ahead");
+            assertEquals(built, lazy.ifBuilt());
         }
-        LightBuffer built = lazy.insteadOfWalks(250_010);
-        assertNotNull(built);
-        assertEquals(built, lazy.insteadOfWalks(1));
     }
 
     @Test
@@ -269,7 +292,7 @@ public class LightBufferTest {
     }
 
     /** @param viewpoints that are to have buffers */
-    public static List<Surfaces> surfaces(List<Shape.Sphere> spheres, Mesh mesh, List<Viewpoint> viewpoints) {
+    public static List<Surfaces> surfaces(List<Shape.Sphere> spheres, Mesh mesh, Viewpoints viewpoints) {
         Bvh curved = tree(spheres), flat = tree(mesh);
         return List.of(new Spheres(inOrder(curved, spheres), 0, curved, viewpoints),
                 new Triangles(mesh, COUNT, flat, viewpoints, ForkJoinPool.commonPool()));
@@ -282,10 +305,9 @@ public class LightBufferTest {
         LightSource lamp = lamp(directional, directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3));
         List<Shape.Sphere> spheres = spheres(random, ORIGIN, .06);
         Mesh mesh = triangles(random, ORIGIN, .1);
-        List<Surfaces> with = surfaces(spheres, mesh, List.of(new Viewpoint(lamp, null))), without = surfaces(spheres, mesh, List.of());
+        List<Surfaces> with = surfaces(spheres, mesh, viewpoints(lamp)), without = surfaces(spheres, mesh, NONE);
         int blocked = 0;
         SearchWorkspace space = new SearchWorkspace();
-        // The last third of these are looked up.
         for (int tile = 0; tile < 3000; tile++) {
             Rays rays = start(random, with);
             ShadowRays a = blocked(rays, with.get(tile % 2), lamp, space);
@@ -294,6 +316,7 @@ public class LightBufferTest {
             blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.unoccluded[i] ? 0 : 1).sum();
         }
         assertTrue(blocked > 50_000 && blocked < 2900 * Batch.CAPACITY, blocked + " blocked");
+        with.forEach(kind -> assertNotNull(((BoundedSurfaces) kind).lightBuffer(lamp).ifBuilt(), "it was built"));
     }
 
     @Test
@@ -303,8 +326,8 @@ public class LightBufferTest {
         Bvh bvh = tree(spheres);
         Vector light = new Vector(0, 3, 0);
         LightSource lamp = lamp(false, light);
-        Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of(new Viewpoint(lamp, null)));
-        Spheres without = new Spheres(inOrder(bvh, spheres), 0, bvh, List.of());
+        Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, viewpoints(lamp));
+        Spheres without = new Spheres(inOrder(bvh, spheres), 0, bvh, NONE);
         SearchWorkspace space = new SearchWorkspace();
         for (int tile = 0; tile < 1100; tile++) {
             blocked(start(random, List.of(with)), with, lamp, space);

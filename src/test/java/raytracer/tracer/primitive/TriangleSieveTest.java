@@ -46,7 +46,7 @@ class TriangleSieveTest {
         return sieve;
     }
 
-    private static boolean lets(TriangleSieve sieve, TriangleSieve.Line line, int k) {
+    private static boolean lets(TriangleSieve sieve, SieveLine line, int k) {
         return sieve.mayHit(line, k, k + 1) == 1;
     }
 
@@ -68,7 +68,7 @@ class TriangleSieveTest {
         Mesh mesh = triangles(random, offset, size);
         Bvh bvh = tree(mesh);
         TriangleSieve sieve = sieve(mesh, bvh);
-        TriangleSieve.Line line = new TriangleSieve.Line();
+        SieveLine line = new SieveLine();
         BvhWalk walk = new BvhWalk();
         int stopped = 0;
         for (int i = 0; i < 20_000; i++) {
@@ -83,7 +83,8 @@ class TriangleSieveTest {
             if (!walk.start(bvh, o.x(), o.y(), o.z(), way.x(), way.y(), way.z())) {
                 continue;
             }
-            line.take(walk.x(), walk.y(), walk.z(), walk.start(), way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
+            line.setPoint(walk.x(), walk.y(), walk.z(), walk.start());
+            line.setDirection(way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
             assertTrue(lets(sieve, line, k), "ray " + i + " at triangle " + k);
             stopped += lets(sieve, line, (k + 1) % COUNT) ? 0 : 1;
         }
@@ -97,7 +98,7 @@ class TriangleSieveTest {
         Mesh mesh = triangles(random, 0, .5);
         Bvh bvh = tree(mesh);
         TriangleSieve sieve = sieve(mesh, bvh);
-        TriangleSieve.Line line = new TriangleSieve.Line();
+        SieveLine line = new SieveLine();
         BvhWalk walk = new BvhWalk();
         for (int i = 0; i < 20_000; i++) {
             int k = random.nextInt(COUNT);
@@ -107,8 +108,8 @@ class TriangleSieveTest {
             Vector o = new Vector(corner.x() - 3 * d.x() + off[0], corner.y() - 3 * d.y() + off[1],
                     corner.z() - 3 * d.z() + off[2]);
             if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
-                line.take(walk.x(), walk.y(), walk.z(), walk.start(), d.x(), d.y(), d.z(),
-                        error * bvh.scale(), Rounding.EYE_DIRECTION);
+                line.setPoint(walk.x(), walk.y(), walk.z(), walk.start());
+                line.setDirection(d.x(), d.y(), d.z(), error * bvh.space().scale(), Rounding.EYE_DIRECTION);
                 assertTrue(lets(sieve, line, k), "ray " + i + " at triangle " + k);
             }
         }
@@ -121,11 +122,12 @@ class TriangleSieveTest {
         Mesh mesh = triangles(random, 0, 1);
         Bvh bvh = tree(mesh);
         TriangleSieve sieve = sieve(mesh, bvh);
-        TriangleSieve.Line line = new TriangleSieve.Line();
+        SieveLine line = new SieveLine();
         int some = 0;
         for (int i = 0; i < 2000; i++) {
             Vector d = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
-            line.take(0, 0, 0, 0, d.x(), d.y(), d.z(), 0, Rounding.EYE_DIRECTION);
+            line.setPoint(0, 0, 0, 0);
+            line.setDirection(d.x(), d.y(), d.z(), 0, Rounding.EYE_DIRECTION);
             int first = random.nextInt(COUNT - Bvh.LEAF_SIZE), end = first + random.nextInt(Bvh.LEAF_SIZE + 1);
             int let = sieve.mayHit(line, first, end);
             for (int k = first; k < end; k++) {

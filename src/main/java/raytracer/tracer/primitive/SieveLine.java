@@ -1,0 +1,57 @@
+package raytracer.tracer.primitive;
+
+import raytracer.tracer.kernel.Rounding;
+
+/**
+ * A ray's line as {@link TriangleSieve} wants it: its direction and moment, origin x direction, in the space of the tree.
+ * One object serves ray after ray.
+ */
+public final class SieveLine {
+
+    /**
+     * Of an edge's bound: floats' rounding of a side. With v = 2^-24 and coordinates up to 1, directions, moments,
+     * edges and products are off by v, which is sqrt 3 v in a side each, and each of its terms is rounded 7 times,
+     * 14 sqrt 3 v: 31.2v in all.
+     */
+    private static final double ROUNDING = 40 * 0x1p-24;
+
+    float dx, dy, dz;
+    float momentX, momentY, momentZ;
+
+    /** By how much a side may be off, for each unit of an edge's length. */
+    float tolerance;
+
+    private double x, y, z;
+    private double l1Norm;
+
+    /**
+     * Lets the line go through a point in tree space.
+     *
+     * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
+     */
+    public void setPoint(double x, double y, double z, double far) {
+        this.x = x;
+        this.y = y;
+        this.z = z;
+        // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
+        l1Norm = 2 * (far + 4);
+    }
+
+    /**
+     * Lets it go in a direction.
+     *
+     * @param originError of each coordinate, in tree space
+     */
+    public void setDirection(double dx, double dy, double dz, double originError, double directionError) {
+        this.dx = (float) dx;
+        this.dy = (float) dy;
+        this.dz = (float) dz;
+        momentX = (float) (y * dz - z * dy);
+        momentY = (float) (z * dx - x * dz);
+        momentZ = (float) (x * dy - y * dx);
+        // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side for
+        // edges up to twice as long as the bound here); and a walk moves the origin, by which a side is off by less
+        // than another two such bounds.
+        tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, l1Norm, 1));
+    }
+}

@@ -1,0 +1,180 @@
+package raytracer.tracer.search;
+
+import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhWalk;
+import raytracer.tracer.kernel.Kernel;
+import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.lightbuffer.LightBuffer;
+import raytracer.tracer.primitive.BoundedSurfaces;
+import raytracer.tracer.primitive.SieveLine;
+import raytracer.tracer.rays.Rays;
+
+/**
+ * Finds what a batch of rays may hit among surfaces of one kind, and has it tried. If the rays' {@link Beam} finds few
+ * surfaces, all rays try those; else each ray looks up what may be in its way in a {@link LightBuffer}, if there is one
+ * for it, or walks the tree. For one thread.
+ */
+abstract class Search implements Kernel {
+
+    final BoundedSurfaces surfaces;
+    final Bvh bvh;
+    final Rays rays;
+    final SearchWorkspace space;
+
+    /** Where rays are looked up, if they are. */
+    LightBuffer buffer;
+
+    private final Vectors direction;
+
+    private final Kernel tryOversized = this::tryOversized;
+    private final Kernel tryGathered = this::tryGathered;
+    private final Kernel walk = this::walk;
+    private final Kernel findCells = this::findCells;
+    private final Kernel lookUp = this::lookUp;
+
+    /** @param direction in which to search, from where rays start */
+    Search(BoundedSurfaces surfaces, Rays rays, Vectors direction, SearchWorkspace space) {
+        this.surfaces = surfaces;
+        this.rays = rays;
+        this.direction = direction;
+        this.space = space;
+        bvh = surfaces.bvh();
+    }
+
+    /** Whether there is no need for a beam, and all has been done. */
+    abstract boolean isDoneWithoutBeam(int from, int to);
+
+    abstract void encloseInBeam(int from, int to);
+
+    /** The light buffer to use instead of so many walks; null if there is none. */
+    abstract LightBuffer bufferInsteadOfWalks(int from, int to);
+
+    /** Computes what {@link #tryAll} needs to know of rays. */
+    abstract void prepare(int from, int to);
+
+    /** Tries one surface with all rays. */
+    abstract void tryAll(int from, int to, int k);
+
+    /** Whether there is anything to find for a ray. */
+    abstract boolean isSearching(int ray);
+
+    /** What is farther away along a ray does not matter. */
+    abstract double maxDistance(int ray);
+
+    /** Tries one surface with one ray; returns whether nothing else matters any more. */
+    abstract boolean isLast(int ray, int k);
+
+    /** Sets the line of a ray whose point has been set. */
+    abstract void setDirection(SieveLine line, int ray);
+
+    abstract void findCells(int from, int to);
+
+    /** Keeps the cell of a ray as short as what it has found allows. */
+    abstract void shortenCell(int ray);
+
+    @Override
+    public void run(int from, int to) {
+        if (bvh.oversized() > 0) {
+            Kernel.run(tryOversized, from, to);
+        }
+        if (isDoneWithoutBeam(from, to)) {
+            return;
+        }
+        encloseInBeam(from, to);
+        if (!space.beam().gather(bvh)) {
+            searchEach(from, to);
+        } else if (space.beam().count() > 0) {
+            Kernel.run(tryGathered, from, to);
+        }
+    }
+
+    private void tryOversized(int from, int to) {
+        prepare(from, to);
+        for (int k = 0; k < bvh.oversized(); k++) {
+            tryAll(from, to, k);
+        }
+    }
+
+    private void tryGathered(int from, int to) {
+        prepare(from, to);
+        for (int n = 0; n < space.beam().count(); n++) {
+            tryAll(from, to, space.beam().primitive(n));
+        }
+    }
+
+    /** Ray by ray, after the beam of all has given up. */
+    private void searchEach(int from, int to) {
+        LightBuffer built = bufferInsteadOfWalks(from, to);
+        if (built != null) {
+            lookUp(built, from, to);
+        } else {
+            Kernel.run(walk, from, to);
+        }
+    }
+
+    final void lookUp(LightBuffer in, int from, int to) {
+        buffer = in;
+        Kernel.run(findCells, from, to);
+        Kernel.run(lookUp, from, to);
+    }
+
+    // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
+
+    private void walk(int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (isSearching(i)) {
+                walk(i);
+            }
+        }
+    }
+
+    private void walk(int i) {
+        BvhWalk walk = space.surfaces().walk;
+        if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], direction.x()[i], direction.y()[i], direction.z()[i])) {
+            setLine(walk.x(), walk.y(), walk.z(), walk.start(), i);
+            tryLeaves(i, walk);
+        }
+    }
+
+    private void setLine(double x, double y, double z, double far, int ray) {
+        if (surfaces.hasSieve()) {
+            SieveLine line = space.surfaces().line;
+            line.setPoint(x, y, z, far);
+            setDirection(line, ray);
+        }
+    }
+
+    private void tryLeaves(int ray, BvhWalk walk) {
+        while (walk.nextLeaf(maxDistance(ray))) {
+            int bits = surfaces.mayHit(walk.first(), walk.end(), space.surfaces());
+            for (; bits != 0; bits &= bits - 1) {
+                if (isLast(ray, walk.first() + Integer.numberOfTrailingZeros(bits))) {
+                    return;
+                }
+            }
+        }
+    }
+
+    private void lookUp(int from, int to) {
+        LightBuffer.Cells cells = space.cells();
+        for (int i = from; i < to; i++) {
+            if (cells.first[i] < cells.end[i] && isSearching(i)) {
+                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
+                setLine(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
+                tryCell(i, cells);
+            }
+        }
+    }
+
+    private void tryCell(int ray, LightBuffer.Cells cells) {
+        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
+            int k = buffer.primitive(entry);
+            if (surfaces.mayHit(k, k + 1, space.surfaces()) != 0) {
+                if (isLast(ray, k)) {
+                    return;
+                }
+                shortenCell(ray);
+            }
+        }
+    }
+}
