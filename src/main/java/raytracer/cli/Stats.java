@@ -111,10 +111,9 @@ final class Stats {
         return rays.total() < 100_000 ? counted(rays.total(), "ray") : tenths(rays.total() / 1e6) + " Mrays";
     }
 
-    /** With one decimal; the library's formatter would take longer to load than a small picture to render. */
+    /** With one decimal. */
     static String tenths(double value) {
-        long tenths = Math.round(10 * value);
-        return tenths / 10 + "." + tenths % 10;
+        return String.valueOf(Math.round(10 * value) / 10.0);
     }
 
     /** How fast it went. */

@@ -1,9 +1,8 @@
 package raytracer.parser;
 
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 
 /** The commands of the format, and what stands behind their keywords: numbers, or for one the rest of the line. */
 enum Command {
@@ -27,26 +26,15 @@ enum Command {
     /** Typing errors that a suggestion forgives. */
     private static final int MAX_EDITS = 2;
 
-    /** A power of two, and several times the number of commands, so that hardly two meet in one place. */
-    private static final int PLACES = 128;
-
-    /** By the hash of their keywords. */
-    private static final List<List<Command>> PLACE = new ArrayList<>();
+    private static final Map<String, Command> BY_KEYWORD = new HashMap<>();
 
     static {
-        for (int i = 0; i < PLACES; i++) {
-            PLACE.add(List.of());
-        }
         for (Command command : values()) {
-            int place = command.keyword.hashCode() & PLACES - 1;
-            List<Command> there = new ArrayList<>(PLACE.get(place));
-            there.add(command);
-            PLACE.set(place, there);
+            BY_KEYWORD.put(command.keyword, command);
         }
     }
 
     private final String keyword = name().toLowerCase(Locale.ROOT);
-    private final byte[] ascii = keyword.getBytes(StandardCharsets.US_ASCII);
     private final String[] operands;
 
     Command(String operands) {
@@ -62,15 +50,9 @@ enum Command {
         return operands;
     }
 
-    /** The command that the line's current word names, or null; makes no string of the word. */
-    static Command find(Line line) {
-        List<Command> there = PLACE.get(line.wordHash() & PLACES - 1);
-        for (int i = 0; i < there.size(); i++) {
-            if (line.wordIs(there.get(i).ascii)) {
-                return there.get(i);
-            }
-        }
-        return null;
+    /** The command of this keyword, or null. */
+    static Command of(String word) {
+        return BY_KEYWORD.get(word);
     }
 
     /** {@code ; did you mean 'sphere'?} for a word that is close to a keyword, else nothing. */

@@ -1,7 +1,6 @@
 package raytracer.parser;
 
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 
 /** The words of one line, read from left to right; a comment ends the line. */
 final class Line {
@@ -86,19 +85,6 @@ final class Line {
 
     String word() {
         return new String(bytes, from, to - from, StandardCharsets.UTF_8);
-    }
-
-    /** The hash of the current word, as {@link String#hashCode} has it for ASCII. */
-    int wordHash() {
-        int hash = 0;
-        for (int i = from; i < to; i++) {
-            hash = 31 * hash + bytes[i];
-        }
-        return hash;
-    }
-
-    boolean wordIs(byte[] ascii) {
-        return Arrays.equals(bytes, from, to, ascii, 0, ascii.length);
     }
 
     /**

@@ -115,7 +115,7 @@ public final class SceneParser {
     }
 
     private void command() {
-        Command command = Command.find(line);
+        Command command = Command.of(line.word());
         if (command == null) {
             diagnostics.unknownCommand(line.word(), line.from(), line.to());
             return;

@@ -69,7 +69,7 @@ public final class Renderer {
     }
 
     private Sampler newGridSampler(int n) {
-        return n == 1 ? new CentreSampler(tracer.newTileTracer()) : new GridSampler(tracer.newTileTracer(), n);
+        return n == 1 ? new CentreSampler(tracer.newTileTracer()) : new GridSampler(tracer.enlarged(n).newTileTracer(), n);
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {

@@ -11,7 +11,6 @@ import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
-import raytracer.tracer.rays.Window;
 
 /** The rays of a scene's camera. */
 final class Pinhole {
@@ -19,6 +18,7 @@ final class Pinhole {
     /** By how many half pixels rays go beside the picture, at most: {@link Samples} may by a pixel, and one more. */
     private static final int RIM = 4;
 
+    private final Camera camera;
     private final int width;
     private final int height;
     private final Vector eye;
@@ -32,9 +32,13 @@ final class Pinhole {
     private final Viewpoint viewpoint;
 
     Pinhole(Scene scene) {
-        Camera camera = scene.camera();
-        width = scene.width();
-        height = scene.height();
+        this(scene.camera(), scene.width(), scene.height());
+    }
+
+    private Pinhole(Camera camera, int width, int height) {
+        this.camera = camera;
+        this.width = width;
+        this.height = height;
         eye = camera.eye();
         Vector toEye = camera.backward();
         // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose
@@ -54,19 +58,6 @@ final class Pinhole {
                 x * right.z() + y * up.z() - backward.z());
     }
 
-    /** A rectangle of the picture, whose sides are in pixels, from the left and from the top. */
-    Window window(double fromX, double toX, double fromY, double toY) {
-        double x0 = 2 * fromX - width, x1 = 2 * toX - width, y0 = height - 2 * toY, y1 = height - 2 * fromY;
-        double[] min = new double[3], max = new double[3];
-        for (int axis = 0; axis < 3; axis++) {
-            double r = right.along(axis), u = up.along(axis), b = backward.along(axis);
-            // By the height, the plane's distance from the eye.
-            min[axis] = (Math.min(x0 * r, x1 * r) + Math.min(y0 * u, y1 * u) - b) / height;
-            max[axis] = (Math.max(x0 * r, x1 * r) + Math.max(y0 * u, y1 * u) - b) / height;
-        }
-        return new Window(min, max);
-    }
-
     /** The eye, and what the picture shows from there. */
     Viewpoint viewpoint() {
         return viewpoint;
@@ -75,6 +66,11 @@ final class Pinhole {
     /** The eye in place of a light. */
     LightSource source() {
         return viewpoint.source();
+    }
+
+    /** The same view in a picture so many times as wide and as high. */
+    Pinhole enlarged(int factor) {
+        return new Pinhole(camera, Math.multiplyExact(factor, width), Math.multiplyExact(factor, height));
     }
 
     int width() {

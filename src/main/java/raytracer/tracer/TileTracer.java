@@ -12,7 +12,6 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
-import raytracer.tracer.rays.Window;
 import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
@@ -60,9 +59,6 @@ public final class TileTracer {
     /** What is being traced: rays know their sample's number as their pixel. */
     private Samples samples;
 
-    /** Which holds the samples that are traced next, or null. */
-    private Window window;
-
     private long primaryCount;
     private long reflectionCount;
 
@@ -89,7 +85,6 @@ public final class TileTracer {
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
-        window = null;
         int max = max();
         for (int from = 0; from < all.count; from += max) {
             trace(from, Math.min(from + max, all.count));
@@ -98,18 +93,8 @@ public final class TileTracer {
 
     /** Traces the rays through the centres of a tile's pixels, which become the points, and sets their colours. */
     public void traceCentres(int left, int top, int columns, int rows, Samples all) {
-        traceCentres(left, top, columns, rows, Math.max(1, max() / columns), all);
-    }
-
-    /** @param max rows that are traced together */
-    void traceCentres(int left, int top, int columns, int rows, int max, Samples all) {
-        samples = all;
         all.setCentres(left, top, columns, rows);
-        for (int row = 0; row < rows; row += max) {
-            int end = Math.min(row + max, rows);
-            window = pinhole.window(left + 0.5, left + columns - 0.5, top + row + 0.5, top + end - 0.5);
-            trace(row * columns, end * columns);
-        }
+        trace(all);
     }
 
     /** How many rays are traced together. */
@@ -134,7 +119,7 @@ public final class TileTracer {
         if (samples.path != null) {
             Arrays.fill(samples.path, from, to, 0);
         }
-        rays.start(aiming, window, samples, from, to - from);
+        rays.start(aiming, samples, from, to - from);
         primaryCount += to - from;
         progress.add(to - from);
     }
@@ -199,8 +184,6 @@ public final class TileTracer {
     private void addToSamples() {
         if (!rays.leaveEye) {
             addMirrored(samples.red, samples.green, samples.blue);
-        } else if (rays.areInOrder) {
-            copyToSamples();
         } else {
             setSamples(rays.pixel, samples.red, samples.green, samples.blue);
         }
@@ -215,15 +198,7 @@ public final class TileTracer {
         }
     }
 
-    // Rays from the eye bring all of the light there.
-
-    private void copyToSamples() {
-        int from = rays.pixel[0];
-        System.arraycopy(shading.red, 0, samples.red, from, rays.count);
-        System.arraycopy(shading.green, 0, samples.green, from, rays.count);
-        System.arraycopy(shading.blue, 0, samples.blue, from, rays.count);
-    }
-
+    /** Rays from the eye bring all of the light there. */
     private void setSamples(int[] pixel, double[] red, double[] green, double[] blue) {
         for (int i = 0; i < rays.count; i++) {
             int p = pixel[i];

@@ -67,6 +67,11 @@ public final class Tracer {
         return new Tracer(pinhole, surfaces, table, lights, newMaxDepth, progress);
     }
 
+    /** The same scene in a picture so many times as wide and as high. */
+    public Tracer enlarged(int factor) {
+        return new Tracer(pinhole.enlarged(factor), surfaces, table, lights, maxDepth, progress);
+    }
+
     /** Announces that so many more samples will be traced: it decides by that what is worth preparing. */
     public void expect(long samples) {
         progress.expect(samples);

@@ -62,7 +62,7 @@ class EyeBufferTest {
             SamplesTest.add(samples, p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);
         }
         Rays rays = new Rays();
-        rays.start(pinhole.aiming(rays), null, samples, 0, Batch.CAPACITY);
+        rays.start(pinhole.aiming(rays), samples, 0, Batch.CAPACITY);
         rays.clearHits();
         surfaces.forEach(kind -> ClosestHit.among(kind, rays, pinhole.source(), space).run(0, Batch.CAPACITY));
         return rays;

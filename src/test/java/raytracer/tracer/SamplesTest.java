@@ -76,7 +76,7 @@ class SamplesTest {
                     add(points, left + i % SIDE + .5, top + i / SIDE + .5);
                 }
                 tracer.trace(points);
-                tracer.traceCentres(left, top, SIDE, rows, 1 + left / SIDE * 5, centres);
+                tracer.traceCentres(left, top, SIDE, rows, centres);
                 assertEquals(points.count, centres.count);
                 assertSame(points.x, centres.x, points.count);
                 assertSame(points.y, centres.y, points.count);

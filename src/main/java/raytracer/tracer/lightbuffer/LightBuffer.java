@@ -52,7 +52,6 @@ public final class LightBuffer {
         private final double[] depthPerDistance = new double[Batch.CAPACITY];
         public final int[] first = new int[Batch.CAPACITY];
         public final int[] end = new int[Batch.CAPACITY];
-        private long touched;
     }
 
     /** Whether all rays, from one index to another, start near enough to be looked up. */
@@ -70,16 +69,6 @@ public final class LightBuffer {
         for (int i = from; i < to; i++) {
             find(rays.ox[i], rays.oy[i], rays.oz[i], i, cells);
         }
-        touch(cells, from, to);
-    }
-
-    /** Loads each cell's first entry, for nothing but that the processor waits for many of them at the same time. */
-    private void touch(Cells cells, int from, int to) {
-        long sum = 0;
-        for (int i = from; i < to; i++) {
-            sum += entries[cells.first[i]];
-        }
-        cells.touched = sum;
     }
 
     private void find(double worldX, double worldY, double worldZ, int ray, Cells cells) {
@@ -106,7 +95,6 @@ public final class LightBuffer {
             find(face.cell(x, y, z), i, cells);
             limit(rays.maxDistance(i), i, cells);
         }
-        touch(cells, from, to);
     }
 
     private void find(int cell, int ray, Cells cells) {

@@ -22,12 +22,6 @@ public final class Rays {
 
     public final int[] pixel = new int[Batch.CAPACITY];
 
-    /** Of rays that leave the eye, what they go through; null if that is not known. */
-    public Window window;
-
-    /** Whether none has left or changed its place: then their pixels are consecutive numbers. */
-    public boolean areInOrder;
-
     // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
     // along the ray itself), and apart from that. The index of the surface it leaves.
     public final double[] ox = new double[Batch.CAPACITY];
@@ -91,14 +85,11 @@ public final class Rays {
     /**
      * Starts at the eye, through some of these points: a ray's pixel is the number of its sample.
      *
-     * @param aiming  that makes rays leave the eye through points in place of their normals
-     * @param through that has all these points, or null
+     * @param aiming that makes rays leave the eye through points in place of their normals
      */
-    public void start(Kernel aiming, Window through, Samples samples, int from, int number) {
+    public void start(Kernel aiming, Samples samples, int from, int number) {
         count = number;
-        window = through;
         leaveEye = true;
-        areInOrder = true;
         System.arraycopy(samples.x, from, nx, 0, count);
         System.arraycopy(samples.y, from, ny, 0, count);
         Kernel.run(aiming, 0, count);
@@ -181,7 +172,6 @@ public final class Rays {
 
     /** Keeps some of the rays that have hit something, in a new order; nothing is known yet of where they arrive. */
     public void select(int[] order, int kept) {
-        areInOrder = false;
         select(pixel, order, kept);
         select(hit, order, kept);
         // The other quantities are the same for all that leave the eye; and the next source is what was hit.

@@ -48,12 +48,7 @@ public final class Beam {
         } else {
             span(rays.ox, rays.oy, rays.oz, from, to, minOrigin, maxOrigin);
         }
-        if (rays.leaveEye && rays.window != null) {
-            System.arraycopy(rays.window.min(), 0, minDirection, 0, minDirection.length);
-            System.arraycopy(rays.window.max(), 0, maxDirection, 0, maxDirection.length);
-        } else {
-            span(rays.dx, rays.dy, rays.dz, from, to, minDirection, maxDirection);
-        }
+        span(rays.dx, rays.dy, rays.dz, from, to, minDirection, maxDirection);
         maxDistance = 0;
         for (int i = from; i < to; i++) {
             maxDistance = rays.distance[i] > maxDistance ? rays.distance[i] : maxDistance;
