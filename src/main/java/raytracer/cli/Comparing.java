@@ -2,6 +2,9 @@ package raytracer.cli;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import raytracer.console.Option;
+import raytracer.console.Options;
+import raytracer.console.Terminal;
 import raytracer.files.Reference;
 
 /** Compares a picture with a reference, which has been read before the picture is made, and says how they differ. */

@@ -1,6 +1,11 @@
 package raytracer.cli;
 
 import java.io.IOException;
+import raytracer.console.Option;
+import raytracer.console.Options;
+import raytracer.console.ProgressBar;
+import raytracer.console.Stopwatch;
+import raytracer.console.Terminal;
 import raytracer.files.Encoding;
 import raytracer.files.Reference;
 import raytracer.files.UsageException;

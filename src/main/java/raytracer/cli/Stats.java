@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import raytracer.console.Stopwatch;
 import raytracer.files.Reference;
 import raytracer.image.Comparison;
 import raytracer.scene.Scene;

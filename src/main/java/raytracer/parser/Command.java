@@ -1,8 +1,7 @@
 package raytracer.parser;
 
-import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 
 /** The commands of the format, and what stands behind their keywords: numbers, or for one the rest of the line. */
 enum Command {
@@ -26,13 +25,7 @@ enum Command {
     /** Typing errors that a suggestion forgives. */
     private static final int MAX_EDITS = 2;
 
-    private static final Map<String, Command> BY_KEYWORD = new HashMap<>();
-
-    static {
-        for (Command command : values()) {
-            BY_KEYWORD.put(command.keyword, command);
-        }
-    }
+    private static final List<Command> ALL = List.of(values());
 
     private final String keyword = name().toLowerCase(Locale.ROOT);
     private final String[] operands;
@@ -52,14 +45,44 @@ enum Command {
 
     /** The command of this keyword, or null. */
     static Command of(String word) {
-        return BY_KEYWORD.get(word);
+        for (int i = 0; i < ALL.size(); i++) {
+            if (ALL.get(i).keyword.equals(word)) {
+                return ALL.get(i);
+            }
+        }
+        return null;
+    }
+
+    /** What to do about a word that is no command; nothing if that is not known. */
+    static String advice(String word) {
+        String hint = hint(word);
+        return hint != null ? "; " + hint : suggestion(word);
+    }
+
+    /** What to do about a word of other scene formats; null if that is not known. */
+    private static String hint(String word) {
+        return switch (word) {
+            case "shadow", "shadows" -> "shadows are always on: take the line out";
+            case "emission" -> "add its colour to 'ambient'";
+            case "attenuation" -> "lights do not weaken with distance: take the line out";
+            case "checker", "texture" -> "a shape has one colour: 'diffuse r g b'";
+            case "sampling", "samples", "antialiasing" -> "the option --samples N smooths edges: take the line out";
+            case "reflection", "reflectivity", "reflect" ->
+                "mirrors have the colour of 'specular', and show as deep as 'maxdepth'";
+            case "translate", "rotate", "scale", "pushTransform", "popTransform", "transform" ->
+                "the format has no transformations: write coordinates out";
+            case "maxvertnorms", "vertexnormal", "trinormal" ->
+                "triangles are flat: use 'maxverts', 'vertex' and 'tri'";
+            case "background" -> "what meets nothing is black: take the line out";
+            default -> null;
+        };
     }
 
     /** {@code ; did you mean 'sphere'?} for a word that is close to a keyword, else nothing. */
-    static String suggestion(String word) {
+    private static String suggestion(String word) {
         String best = null;
         int min = MAX_EDITS + 1;
-        for (Command command : values()) {
+        for (Command command : ALL) {
             int edits = edits(word.toLowerCase(Locale.ROOT), command.keyword);
             if (edits < min && edits < command.keyword.length() - 1) {
                 min = edits;

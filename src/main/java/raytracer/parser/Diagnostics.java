@@ -81,10 +81,8 @@ final class Diagnostics {
             known.lines++;
             return;
         }
-        String hint = Hints.of(word);
-        String advice = hint != null ? "; " + hint : Command.suggestion(word);
         int index = errors.size() < MAX_ERRORS ? errors.size() : -1;
-        unknown.put(word, new Unknown(advice, index));
+        unknown.put(word, new Unknown(Command.advice(word), index));
         error(from, to, "expected a command, found " + quote(from, to));
     }
 

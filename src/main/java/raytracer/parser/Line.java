@@ -20,6 +20,10 @@ final class Line {
     private int from;
     private int to;
 
+    // While a number is read: the next byte, and the digits so far.
+    private int at;
+    private long mantissa;
+
     Line(LineReader reader) {
         this.reader = reader;
     }
@@ -98,51 +102,63 @@ final class Line {
         if (!nextWordStart()) {
             return Double.NaN;
         }
-        byte[] b = bytes;
-        int i = from;
-        boolean negative = b[i] == '-';
-        if (negative || b[i] == '+') {
-            i++;
-        }
-        long digits = 0;
-        int start = i;
-        for (int d; (d = b[i] - '0') >= 0 && d <= 9; i++) {
-            digits = 10 * digits + d;
-        }
-        int count = i - start;
+        at = from;
+        boolean negative = sign();
+        mantissa = 0;
+        int count = digits();
         int exponent = 0;
-        if (b[i] == '.') {
-            int point = ++i;
-            for (int d; (d = b[i] - '0') >= 0 && d <= 9; i++) {
-                digits = 10 * digits + d;
-            }
-            exponent = point - i;
+        if (bytes[at] == '.') {
+            at++;
+            exponent = -digits();
             count -= exponent;
         }
         boolean valid = count > 0;
-        if ((b[i] == 'e' || b[i] == 'E') && valid) {
-            i++;
-            boolean negativeExponent = b[i] == '-';
-            if (negativeExponent || b[i] == '+') {
-                i++;
-            }
-            int power = 0;
-            int exponentStart = i;
-            for (int d; (d = b[i] - '0') >= 0 && d <= 9; i++) {
-                power = Math.min(10 * power + d, HUGE_EXPONENT);
-            }
-            valid = i > exponentStart;
-            exponent += negativeExponent ? -power : power;
+        if (valid && (bytes[at] == 'e' || bytes[at] == 'E')) {
+            at++;
+            int start = at;
+            exponent += power();
+            valid = at > start && bytes[at - 1] >= '0';
         }
-        if (!valid || !endsWord(b[i])) {
+        if (!valid || !endsWord(bytes[at])) {
             nextWord();
             return Double.NaN;
         }
-        to = i;
-        if (count > DIGITS_OF_A_LONG || digits > 1L << 53 || exponent < -22 || exponent > 22) {
-            return Double.parseDouble(new String(b, from, to - from, StandardCharsets.ISO_8859_1));
+        to = at;
+        if (count > DIGITS_OF_A_LONG || mantissa > 1L << 53 || Math.abs(exponent) >= POWERS_OF_TEN.length) {
+            return Double.parseDouble(word());
         }
-        double value = exponent < 0 ? digits / POWERS_OF_TEN[-exponent] : digits * POWERS_OF_TEN[exponent];
+        double value = exponent < 0 ? mantissa / POWERS_OF_TEN[-exponent] : mantissa * POWERS_OF_TEN[exponent];
         return negative ? -value : value;
+    }
+
+    /** Reads a sign, if there is one; returns whether it is negative. */
+    private boolean sign() {
+        boolean negative = bytes[at] == '-';
+        if (negative || bytes[at] == '+') {
+            at++;
+        }
+        return negative;
+    }
+
+    /** Appends digits to the mantissa; returns how many. */
+    private int digits() {
+        byte[] b = bytes;
+        int i = at;
+        for (int d; (d = b[i] - '0') >= 0 && d <= 9; i++) {
+            mantissa = 10 * mantissa + d;
+        }
+        int count = i - at;
+        at = i;
+        return count;
+    }
+
+    /** Reads the exponent behind an e. */
+    private int power() {
+        boolean negative = sign();
+        int power = 0;
+        for (int d; (d = bytes[at] - '0') >= 0 && d <= 9; at++) {
+            power = Math.min(10 * power + d, HUGE_EXPONENT);
+        }
+        return negative ? -power : power;
     }
 }

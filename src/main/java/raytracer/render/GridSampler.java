@@ -29,8 +29,7 @@ final class GridSampler implements Sampler {
         green = new double[columns * rows];
         blue = new double[columns * rows];
         // As many whole pixels as can be traced together, or part of one.
-        int step = Math.max(n, Tracer.TILE_SIDE / n * n);
-        int side = Math.min(step, Tracer.TILE_SIDE);
+        int side = n > Tracer.TILE_SIDE ? Tracer.TILE_SIDE : Tracer.TILE_SIDE / n * n;
         for (int y = 0; y < rows * n; y += side) {
             for (int x = 0; x < columns * n; x += side) {
                 int w = Math.min(side, columns * n - x), h = Math.min(side, rows * n - y);
@@ -38,16 +37,24 @@ final class GridSampler implements Sampler {
                 addSamples(left * n, top * n, columns);
             }
         }
+        divide(red);
+        divide(green);
+        divide(blue);
         sink.setPixels(left, top, columns, rows, red, green, blue);
     }
 
     private void addSamples(int left, int top, int columns) {
-        double part = 1.0 / (n * n);
         for (int i = 0; i < samples.count; i++) {
             int pixel = ((int) samples.y[i] - top) / n * columns + ((int) samples.x[i] - left) / n;
-            red[pixel] += part * cut(samples.red[i]);
-            green[pixel] += part * cut(samples.green[i]);
-            blue[pixel] += part * cut(samples.blue[i]);
+            red[pixel] += cut(samples.red[i]);
+            green[pixel] += cut(samples.green[i]);
+            blue[pixel] += cut(samples.blue[i]);
+        }
+    }
+
+    private void divide(double[] sums) {
+        for (int i = 0; i < sums.length; i++) {
+            sums[i] /= n * n;
         }
     }
 

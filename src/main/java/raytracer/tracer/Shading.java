@@ -6,7 +6,7 @@ import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;

@@ -1,7 +1,7 @@
 package raytracer.tracer;
 
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.primitive.SurfaceTable;
+import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.rays.Rays;
 
 /**

@@ -9,9 +9,9 @@ import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.lightbuffer.Viewpoints;
-import raytracer.tracer.primitive.BoundedSurfaces;
-import raytracer.tracer.primitive.SurfaceTable;
-import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.SurfaceTable;
+import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Progress;
 

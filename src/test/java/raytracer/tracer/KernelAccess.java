@@ -8,7 +8,7 @@ import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.lightbuffer.LightBufferTest;
-import raytracer.tracer.primitive.BoundedSurfaces;
+import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.rays.Rays;
 
 /**

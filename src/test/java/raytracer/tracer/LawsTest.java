@@ -27,7 +27,7 @@ import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.TreeSpace;
 import raytracer.tracer.lightbuffer.LightBufferTest;
 import raytracer.tracer.primitive.Spheres;
-import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;

@@ -14,6 +14,11 @@ public final class ProjectedOutline {
 
     private double nearest;
 
+    // Where the corners are seen.
+    private double ua, va;
+    private double ub, vb;
+    private double uc, vc;
+
     // The box around what is seen.
     private double minU, maxU;
     private double minV, maxV;
@@ -65,12 +70,16 @@ public final class ProjectedOutline {
 
     /** Looks at it on a face; false if it is not seen in the part with cells. */
     boolean isSeenOn(CubeFace face) {
-        double depthA = face.depth(ax, ay, az), ua = face.across(ax, ay, az), va = face.down(ax, ay, az);
-        double depthB = face.depth(bx, by, bz), ub = face.across(bx, by, bz), vb = face.down(bx, by, bz);
-        double depthC = face.depth(cx, cy, cz), uc = face.across(cx, cy, cz), vc = face.down(cx, cy, cz);
+        double depthA = face.depth(ax, ay, az), depthB = face.depth(bx, by, bz), depthC = face.depth(cx, cy, cz);
+        ua = face.across(ax, ay, az);
+        va = face.down(ax, ay, az);
+        ub = face.across(bx, by, bz);
+        vb = face.down(bx, by, bz);
+        uc = face.across(cx, cy, cz);
+        vc = face.down(cx, cy, cz);
         nearest = min(depthA, depthB, depthC) - radius;
         if (face.isParallel()) {
-            span(ua, va, ub, vb, uc, vc, radius * face.spreadU(), radius * face.spreadV());
+            span(radius * face.spreadU(), radius * face.spreadV());
             return true;
         }
         if (max(depthA, depthB, depthC) + radius < 0) {
@@ -81,7 +90,8 @@ public final class ProjectedOutline {
                 return false;
             }
             // Around the source, or nearly: it may be anywhere.
-            span(0, 0, 0, 0, 0, 0, 1, 1);
+            ua = va = ub = vb = uc = vc = 0;
+            span(1, 1);
         } else {
             ua /= depthA;
             va /= depthA;
@@ -92,7 +102,7 @@ public final class ProjectedOutline {
             // Tangents to a circle of radius r about (w, u w) cross depth 1 no farther from u than
             // r sqrt(1 + u^2) / (w - r).
             double perRoot = radius / nearest;
-            span(ua, va, ub, vb, uc, vc, perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
+            span(perRoot * root(ua, ub, uc), perRoot * root(va, vb, vc));
         }
         return face.overlaps(minU, maxU, minV, maxV);
     }
@@ -119,8 +129,7 @@ public final class ProjectedOutline {
     }
 
     /** Sets the box and the edges around the corners and all that is so far from them. */
-    private void span(double ua, double va, double ub, double vb, double uc, double vc,
-            double marginU, double marginV) {
+    private void span(double marginU, double marginV) {
         minU = min(ua, ub, uc) - marginU;
         maxU = max(ua, ub, uc) + marginU;
         minV = min(va, vb, vc) - marginV;

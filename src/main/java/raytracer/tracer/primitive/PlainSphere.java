@@ -4,6 +4,7 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.surface.Workspace;
 
 /** Hits and misses of a sphere that are certain in plain doubles; the rest goes to the robust test of {@link Spheres}. */
 public final class PlainSphere {

@@ -9,9 +9,11 @@ import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.surface.UnboundedSurfaces;
+import raytracer.tracer.surface.Workspace;
 
-/** Infinite planes: few, and hit by nearly every ray, so every ray tries each. */
-public final class Planes implements Surfaces {
+/** Infinite planes. */
+public final class Planes implements UnboundedSurfaces {
 
     private final int firstSurface;
     private final int count;
@@ -43,7 +45,7 @@ public final class Planes implements Surfaces {
         return surface >= firstSurface && surface < firstSurface + count;
     }
 
-    /** What records for every ray the nearest that it hits among these. */
+    @Override
     public Kernel intersecting(Rays rays, Workspace workspace) {
         return (from, to) -> findClosestHits(rays, from, to, workspace);
     }
@@ -125,7 +127,7 @@ public final class Planes implements Surfaces {
         }
     }
 
-    /** What occludes every shadow ray that one of these blocks between its ends. */
+    @Override
     public Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
         return (from, to) -> block(rays, shadows, from, to, workspace);
     }

@@ -4,6 +4,7 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.Rays;
+import raytracer.tracer.surface.Workspace;
 
 /** Moves rays to where they hit spheres. */
 final class SphereHits implements Kernel {

@@ -13,6 +13,8 @@ import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Workspace;
 
 /**
  * Spheres. Whether a ray hits one is decided by the perpendicular from the centre to the ray, which loses no digits to
@@ -56,7 +58,7 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    double distance(Rays rays, int i, int k) {
+    protected double distance(Rays rays, int i, int k) {
         double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
         double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
@@ -181,7 +183,7 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    double distanceError(Rays rays, int i, int k, double t) {
+    protected double distanceError(Rays rays, int i, int k, double t) {
         double x = rays.ox[i] - data.x(k), y = rays.oy[i] - data.y(k), z = rays.oz[i] - data.z(k);
         double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
         return Rounding.sphereDistance(rays.originError[i], rays.directionError[i],

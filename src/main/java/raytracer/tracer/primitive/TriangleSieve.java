@@ -2,6 +2,7 @@ package raytracer.tracer.primitive;
 
 import raytracer.scene.Mesh;
 import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.surface.SieveLine;
 
 /**
  * Tells quickly that a ray's line clearly passes a triangle by: floats, few of them, and no branch. Each triangle is

@@ -4,10 +4,10 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.LightBuffer;
-import raytracer.tracer.primitive.BoundedSurfaces;
-import raytracer.tracer.primitive.Planes;
-import raytracer.tracer.primitive.SieveLine;
-import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.SieveLine;
+import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.UnboundedSurfaces;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -20,7 +20,7 @@ public final class AnyHit extends Search {
     public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new AnyHit(bounded, rays, shadows, space)
-                : ((Planes) kind).blocking(rays, shadows, space.surfaces());
+                : ((UnboundedSurfaces) kind).blocking(rays, shadows, space.surfaces());
     }
 
     private AnyHit(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {

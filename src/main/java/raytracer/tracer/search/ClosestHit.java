@@ -3,10 +3,10 @@ package raytracer.tracer.search;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.LightBuffer;
-import raytracer.tracer.primitive.BoundedSurfaces;
-import raytracer.tracer.primitive.Planes;
-import raytracer.tracer.primitive.SieveLine;
-import raytracer.tracer.primitive.Surfaces;
+import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.SieveLine;
+import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.UnboundedSurfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 
@@ -19,7 +19,7 @@ public final class ClosestHit extends Search {
     public static Kernel among(Surfaces kind, Rays rays, LightSource eye, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new ClosestHit(bounded, rays, bounded.lightBuffer(eye), space)
-                : ((Planes) kind).intersecting(rays, space.surfaces());
+                : ((UnboundedSurfaces) kind).intersecting(rays, space.surfaces());
     }
 
     /** @param ofEye null if there is none, nor will be */

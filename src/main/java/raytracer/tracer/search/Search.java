@@ -5,8 +5,8 @@ import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.lightbuffer.LightBuffer;
-import raytracer.tracer.primitive.BoundedSurfaces;
-import raytracer.tracer.primitive.SieveLine;
+import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.rays.Rays;
 
 /**

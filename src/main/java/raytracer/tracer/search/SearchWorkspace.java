@@ -1,7 +1,7 @@
 package raytracer.tracer.search;
 
 import raytracer.tracer.lightbuffer.LightBuffer;
-import raytracer.tracer.primitive.Workspace;
+import raytracer.tracer.surface.Workspace;
 
 /** What one thread needs to search for surfaces. */
 public record SearchWorkspace(Workspace surfaces, Beam beam, LightBuffer.Cells cells) {

@@ -3,8 +3,8 @@ package raytracer.tracer.search;
 import java.util.Arrays;
 import java.util.List;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.primitive.Surfaces;
-import raytracer.tracer.primitive.Workspace;
+import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.Rays;
 

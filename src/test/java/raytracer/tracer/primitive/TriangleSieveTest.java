@@ -16,6 +16,7 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.surface.SieveLine;
 
 @DisplayName("The sieve of triangles")
 class TriangleSieveTest {

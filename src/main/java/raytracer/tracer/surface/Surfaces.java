@@ -1,4 +1,4 @@
-package raytracer.tracer.primitive;
+package raytracer.tracer.surface;
 
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.rays.Candidates;

@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.console;
 
 import java.io.File;
 import java.util.ArrayList;
@@ -14,7 +14,7 @@ import raytracer.render.Sampling;
 import raytracer.scene.Scene;
 
 /** What the command line asks for: once made, every value can be read. */
-final class Options {
+public final class Options {
 
     private static final int MAX_THREADS = 1024;
     private static final int MAX_SECONDS = 24 * 60 * 60;
@@ -29,7 +29,7 @@ final class Options {
     private final List<String> scenes = new ArrayList<>();
     private final Map<Option, String> values = new EnumMap<>(Option.class);
 
-    static Options parse(String... args) throws UsageException {
+    public static Options parse(String... args) throws UsageException {
         Options options = new Options();
         options.read(List.of(args).iterator());
         if (!options.has(Option.HELP) && !options.has(Option.VERSION)) {
@@ -124,29 +124,29 @@ final class Options {
         sampling();
     }
 
-    List<String> scenes() {
+    public List<String> scenes() {
         return scenes;
     }
 
-    boolean has(Option option) {
+    public boolean has(Option option) {
         return values.containsKey(option);
     }
 
     /** The value as it was given; null if it was not. */
-    String text(Option option) {
+    public String text(Option option) {
         return values.get(option);
     }
 
-    int threads() {
+    public int threads() {
         return whole(Option.THREADS, Runtime.getRuntime().availableProcessors());
     }
 
-    int chartSeconds() {
+    public int chartSeconds() {
         return whole(Option.CHART_SECONDS, DEFAULT_SECONDS);
     }
 
     /** The value of an option that is a whole number, or what it is if the option is not given. */
-    int whole(Option option, int otherwise) {
+    public int whole(Option option, int otherwise) {
         return has(option) ? Integer.parseInt(text(option)) : otherwise;
     }
 
@@ -166,14 +166,14 @@ final class Options {
     }
 
     /** The scene with what the options override. */
-    Scene override(Scene scene) throws UsageException {
+    public Scene override(Scene scene) throws UsageException {
         int[] size = numbers(Option.SIZE, SIZE, "like 640x480", 1, "width", "height");
         Scene sized = size == null ? scene : scene.withSize(size[0], size[1]);
         return sized.withMaxDepth(whole(Option.MAXDEPTH, scene.maxDepth()));
     }
 
     /** The part of a picture of this size that is wanted: all, if none is given. */
-    Region region(int width, int height) throws UsageException {
+    public Region region(int width, int height) throws UsageException {
         int[] r = region();
         if (r == null) {
             return Region.whole(width, height);
@@ -212,7 +212,7 @@ final class Options {
         return numbers;
     }
 
-    Sampling sampling() throws UsageException {
+    public Sampling sampling() throws UsageException {
         String text = has(Option.SAMPLES) ? text(Option.SAMPLES) : "1";
         if (text.equals("auto")) {
             return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);

@@ -1,4 +1,4 @@
-package raytracer.cli;
+package raytracer.console;
 
 import java.io.Console;
 import java.io.IOException;
@@ -10,7 +10,7 @@ import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 
 /** Shows on a terminal how far rendering is and how long it will take, once it has lasted a moment. */
-final class ProgressBar {
+public final class ProgressBar {
 
     private static final long FIRST_MILLIS = 500;
     private static final long NEXT_MILLIS = 200;
@@ -28,7 +28,7 @@ final class ProgressBar {
     }
 
     /** Does some work, and shows its progress meanwhile if that is wanted and {@code err} is a terminal. */
-    static <T> T during(Supplier<T> work, PrintStream err, boolean quiet, DoubleSupplier progress) {
+    public static <T> T during(Supplier<T> work, PrintStream err, boolean quiet, DoubleSupplier progress) {
         if (quiet || err != System.err || !isTerminal()) {
             return work.get();
         }
@@ -80,7 +80,7 @@ final class ProgressBar {
         }
     }
 
-    static String line(double part, double seconds) {
+    public static String line(double part, double seconds) {
         int full = (int) (WIDTH * part);
         double secondsLeft = Math.ceil(seconds * (1 - part) / part);
         String left = part > 0 ? String.format(Locale.ROOT, ", %.0f s left", secondsLeft) : "";

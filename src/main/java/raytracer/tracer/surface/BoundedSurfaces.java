@@ -1,4 +1,4 @@
-package raytracer.tracer.primitive;
+package raytracer.tracer.surface;
 
 import java.util.Map;
 import raytracer.tracer.bvh.Bvh;
@@ -22,7 +22,7 @@ public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
     private final Map<LightSource, LazyLightBuffer> lightBuffers;
 
     /** @param name of the kind, in the plural */
-    BoundedSurfaces(String name, int firstSurface, Bvh bvh, Viewpoints viewpoints) {
+    protected BoundedSurfaces(String name, int firstSurface, Bvh bvh, Viewpoints viewpoints) {
         this.name = name;
         this.firstSurface = firstSurface;
         this.bvh = bvh;
@@ -34,10 +34,10 @@ public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
      * The distance at which a ray hits the surface with this number among these; NaN if it does not, or farther away
      * than {@link Rays#maxDistance}.
      */
-    abstract double distance(Rays rays, int ray, int k);
+    protected abstract double distance(Rays rays, int ray, int k);
 
     /** Bounds the error of that distance. */
-    abstract double distanceError(Rays rays, int ray, int k, double t);
+    protected abstract double distanceError(Rays rays, int ray, int k, double t);
 
     /** Records the surface with this number among these for a ray, if it hits it. */
     public final void intersect(Rays rays, int ray, int k) {
@@ -94,11 +94,11 @@ public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
         return lightBuffers.get(light);
     }
 
-    final int surface(int k) {
+    protected final int surface(int k) {
         return firstSurface + k;
     }
 
-    final int number(int surface) {
+    protected final int number(int surface) {
         return surface - firstSurface;
     }
 

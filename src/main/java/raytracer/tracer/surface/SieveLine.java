@@ -1,9 +1,9 @@
-package raytracer.tracer.primitive;
+package raytracer.tracer.surface;
 
 import raytracer.tracer.kernel.Rounding;
 
 /**
- * A ray's line as {@link TriangleSieve} wants it: its direction and moment, origin x direction, in the space of the tree.
+ * A ray's line as a sieve in floats wants it: its direction and moment, origin x direction, in the space of the tree.
  * One object serves ray after ray.
  */
 public final class SieveLine {
@@ -15,11 +15,11 @@ public final class SieveLine {
      */
     private static final double ROUNDING = 40 * 0x1p-24;
 
-    float dx, dy, dz;
-    float momentX, momentY, momentZ;
+    public float dx, dy, dz;
+    public float momentX, momentY, momentZ;
 
     /** By how much a side may be off, for each unit of an edge's length. */
-    float tolerance;
+    public float tolerance;
 
     private double x, y, z;
     private double l1Norm;
@@ -49,7 +49,7 @@ public final class SieveLine {
         momentX = (float) (y * dz - z * dy);
         momentY = (float) (z * dx - x * dz);
         momentZ = (float) (x * dy - y * dx);
-        // Triangles takes what is within the bound by what it has computed, which is off by as much (twice the side for
+        // The robust test takes what is within the bound by what it has computed, which is off by as much (twice the side for
         // edges up to twice as long as the bound here); and a walk moves the origin, by which a side is off by less
         // than another two such bounds.
         tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, l1Norm, 1));

@@ -1,4 +1,4 @@
-package raytracer.tracer.primitive;
+package raytracer.tracer.surface;
 
 import raytracer.scene.Material;
 

@@ -1,10 +1,10 @@
-package raytracer.cli;
+package raytracer.console;
 
 import java.util.Locale;
 import raytracer.files.UsageException;
 
 /** The options of the command line, and what the help says of each. */
-enum Option {
+public enum Option {
 
     OUTPUT("FILE", "write here, not to the scene's 'output'; - for stdout"),
     SIZE("WxH", "override the scene's size"),
@@ -34,17 +34,17 @@ enum Option {
         this.forms = forms;
     }
 
-    boolean takesValue() {
+    public boolean takesValue() {
         return !forms[0].isEmpty();
     }
 
     /** {@code --chart-seconds} */
-    String flag() {
+    public String flag() {
         return "--" + name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /** The option of this flag. */
-    static Option of(String flag) throws UsageException {
+    public static Option of(String flag) throws UsageException {
         for (Option option : values()) {
             if (flag.equals(option.flag()) || flag.equals(option.shortFlag())) {
                 return option;
@@ -58,7 +58,7 @@ enum Option {
     }
 
     /** What {@code --help} prints. */
-    static String help() {
+    public static String help() {
         StringBuilder text = new StringBuilder(
                 "usage: raytracer [options] SCENE...       SCENE may be - for standard input\n");
         for (Option option : values()) {

@@ -1,4 +1,4 @@
-package raytracer.tracer.primitive;
+package raytracer.tracer.surface;
 
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.kernel.Batch;
@@ -12,29 +12,29 @@ public final class Workspace {
     public final SieveLine line = new SieveLine();
 
     /** Rays that a kernel over all of them could not decide. */
-    final int[] doubtful = new int[Batch.CAPACITY];
-    int doubtfulCount;
+    public final int[] doubtful = new int[Batch.CAPACITY];
+    public int doubtfulCount;
 
     // Of a plane: how far it is along its normal, how fast the ray goes that way, and the quotient.
-    final double[] offset = new double[Batch.CAPACITY];
-    final double[] cosine = new double[Batch.CAPACITY];
-    final double[] distance = new double[Batch.CAPACITY];
+    public final double[] offset = new double[Batch.CAPACITY];
+    public final double[] cosine = new double[Batch.CAPACITY];
+    public final double[] distance = new double[Batch.CAPACITY];
 
     // Of a sphere: direction . (origin - centre), the square of half the chord, centre and radius.
-    final double[] along = offset;
-    final double[] square = cosine;
-    final Vectors centre = new Vectors();
-    final double[] radius = new double[Batch.CAPACITY];
-    final double[] l1Norm = new double[Batch.CAPACITY];
-    final double[] spare = square;
+    public final double[] along = offset;
+    public final double[] square = cosine;
+    public final Vectors centre = new Vectors();
+    public final double[] radius = new double[Batch.CAPACITY];
+    public final double[] l1Norm = new double[Batch.CAPACITY];
+    public final double[] spare = square;
 
     // Of a triangle: the sides of its edges, and the least product of two of them.
-    final Vectors sides = centre;
-    final double[] minProduct = square;
+    public final Vectors sides = centre;
+    public final double[] minProduct = square;
 
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
-    final Vectors moment = new Vectors();
-    double originError;
-    double directionError;
-    double farthest;
+    public final Vectors moment = new Vectors();
+    public double originError;
+    public double directionError;
+    public double farthest;
 }

@@ -1,11 +1,11 @@
-package raytracer.cli;
+package raytracer.console;
 
 /** Measures time from when it is made. */
-final class Stopwatch {
+public final class Stopwatch {
 
     private final long start = System.nanoTime();
 
-    double millis() {
+    public double millis() {
         return (System.nanoTime() - start) / 1e6;
     }
 }
