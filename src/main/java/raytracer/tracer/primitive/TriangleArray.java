@@ -125,11 +125,15 @@ final class TriangleArray {
      */
     double within(
             Rays rays, Vectors d, int i, int k, double originError, double directionError, double t) {
-        double ax = corner(k, 0, 0) - rays.ox[i], ay = corner(k, 0, 1) - rays.oy[i], az = corner(k, 0, 2) - rays.oz[i];
-        double ab = side(rays, d, i, k, 0, 1), bc = side(rays, d, i, k, 1, 2), ca = side(rays, d, i, k, 2, 0);
+        double ox = rays.ox[i], oy = rays.oy[i], oz = rays.oz[i];
+        Vector way = new Vector(d.x()[i], d.y()[i], d.z()[i]);
+        Vector a = new Vector(corner(k, 0, 0) - ox, corner(k, 0, 1) - oy, corner(k, 0, 2) - oz);
+        Vector b = new Vector(corner(k, 1, 0) - ox, corner(k, 1, 1) - oy, corner(k, 1, 2) - oz);
+        Vector c = new Vector(corner(k, 2, 0) - ox, corner(k, 2, 1) - oy, corner(k, 2, 2) - oz);
+        double ab = side(a, b, way), bc = side(b, c, way), ca = side(c, a, way);
         double edges = edges(k);
         double margin = Rounding.edge(
-                originError, directionError, Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges, 1);
+                originError, directionError, Math.abs(a.x()) + Math.abs(a.y()) + Math.abs(a.z()) + edges, 1);
         double bound = edges * margin;
         if (!(ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound)) {
             return Double.NaN;
@@ -170,12 +174,8 @@ final class TriangleArray {
      * seen from the origin, as direction . ((b - a) x (a + b)): the edge is short where the ends are far, so the
      * products are smaller, and round by less. Exchanging a and b changes the sign and nothing else.
      */
-    private double side(Rays rays, Vectors d, int i, int k, int from, int to) {
-        double ax = corner(k, from, 0) - rays.ox[i], bx = corner(k, to, 0) - rays.ox[i];
-        double ay = corner(k, from, 1) - rays.oy[i], by = corner(k, to, 1) - rays.oy[i];
-        double az = corner(k, from, 2) - rays.oz[i], bz = corner(k, to, 2) - rays.oz[i];
-        double ex = bx - ax, ey = by - ay, ez = bz - az;
-        double sx = ax + bx, sy = ay + by, sz = az + bz;
-        return d.x()[i] * (ey * sz - ez * sy) + d.y()[i] * (ez * sx - ex * sz) + d.z()[i] * (ex * sy - ey * sx);
+    private static double side(Vector a, Vector b, Vector direction) {
+        Vector edge = b.minus(a), sum = new Vector(a.x() + b.x(), a.y() + b.y(), a.z() + b.z());
+        return direction.dot(edge.cross(sum));
     }
 }
