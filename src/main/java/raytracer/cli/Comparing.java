@@ -14,10 +14,12 @@ final class Comparing {
     private final Reference reference;
     private final String prefix;
     private final Terminal terminal;
+    private final boolean canExplain;
 
     Comparing(Options options, Outputs outputs, int width, int height, Terminal terminal) throws IOException {
         this.outputs = outputs;
         this.terminal = terminal;
+        canExplain = outputs.destination() != null && !options.has(Option.REGION) && !options.has(Option.SAMPLES);
         prefix = options.scenes().size() > 1 ? outputs.input().name() + ": " : "";
         reference = Reference.read(
                 outputs.reference(), width, height, options.whole(Option.TOLERANCE, 0), outputs.difference());
@@ -29,6 +31,10 @@ final class Comparing {
             terminal.tell(prefix + verdict.words());
         } else {
             terminal.answer(prefix + verdict.words());
+        }
+        if (canExplain && verdict.comparison() != null && !verdict.isPassed()) {
+            terminal.tell(prefix + "how the most different pixel gets its colour: --explain "
+                    + verdict.comparison().x() + "," + verdict.comparison().y());
         }
         return verdict;
     }

@@ -38,18 +38,30 @@ record Input(String file) {
     }
 
     ParsedScene parse() throws SceneException, IOException {
+        try (InputStream in = open()) {
+            return SceneParser.parse(name(), in);
+        } catch (IOException e) {
+            throw unreadable(e);
+        }
+    }
+
+    /** All of the text, which is parsed from memory then. */
+    byte[] read() throws IOException {
+        try (InputStream in = open()) {
+            return in.readAllBytes();
+        } catch (IOException e) {
+            throw unreadable(e);
+        }
+    }
+
+    private InputStream open() throws IOException {
         if (Files.isDirectory(path())) {
             throw new IOException("expected a scene file, found a directory");
         }
-        try {
-            if (isStandard()) {
-                return SceneParser.parse(name(), System.in);
-            }
-            try (InputStream in = Files.newInputStream(path())) {
-                return SceneParser.parse(name(), in);
-            }
-        } catch (IOException e) {
-            throw new IOException("cannot read the scene: " + Reason.of(e) + Reason.ofEncoding(file), e);
-        }
+        return isStandard() ? System.in : Files.newInputStream(path());
+    }
+
+    private IOException unreadable(IOException e) {
+        return new IOException("cannot read the scene: " + Reason.of(e) + Reason.ofEncoding(file), e);
     }
 }

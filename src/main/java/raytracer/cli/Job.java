@@ -1,5 +1,6 @@
 package raytracer.cli;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
@@ -12,9 +13,11 @@ import raytracer.files.Places;
 import raytracer.files.Reference;
 import raytracer.files.UsageException;
 import raytracer.image.PictureFile;
+import raytracer.parser.Declarations;
 import raytracer.parser.Diagnostic;
 import raytracer.parser.ParsedScene;
 import raytracer.parser.SceneException;
+import raytracer.parser.SceneParser;
 import raytracer.scene.Scene;
 
 /** One scene of the command line and all that is asked for it; whatever goes wrong becomes one message and a status. */
@@ -63,7 +66,7 @@ final class Job {
     /** Does the job; returns the exit status. */
     int run() {
         try {
-            return isComparison() ? comparePicture() : parseAndRender();
+            return options.has(Option.EXPLAIN) ? explain() : isComparison() ? comparePicture() : parseAndRender();
         } catch (SceneException e) {
             e.errors().forEach(error -> terminal.tell(error.toString()));
             if (e.unlisted() > 0) {
@@ -94,6 +97,15 @@ final class Job {
     private int fail(int status, String place, String message) {
         terminal.tell(input.name() + place + ": " + message);
         return status;
+    }
+
+    private int explain() throws SceneException, UsageException, IOException {
+        byte[] text = input.read();
+        Scene scene = options.override(SceneParser.parse(input.name(), new ByteArrayInputStream(text)).scene());
+        int[] pixel = options.pixel(scene.width(), scene.height());
+        new Explaining(input.name(), Declarations.of(text), scene).explain(pixel[0], pixel[1])
+                .forEach(terminal::answer);
+        return Main.DONE;
     }
 
     private int parseAndRender() throws SceneException, UsageException, IOException {

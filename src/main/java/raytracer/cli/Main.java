@@ -52,10 +52,22 @@ public final class Main {
             out.println("raytracer " + (version == null ? "(development)" : version));
             return DONE;
         }
-        if (!options.has(Option.CHECK) && !options.has(Option.CHART)) {
+        if (!options.has(Option.CHECK) && !options.has(Option.CHART) && !options.has(Option.EXPLAIN)) {
             Encoding.prepare();
         }
-        return run(options, new Terminal(out, err));
+        Terminal terminal = new Terminal(out, err);
+        return options.has(Option.WATCH) ? watch(options, terminal) : run(options, terminal);
+    }
+
+    /** Renders again and again, in this process: the second picture takes a fraction of the first one's time. */
+    private static int watch(Options options, Terminal terminal) {
+        List<Input> inputs = options.scenes().stream().map(Input::new).toList();
+        if (inputs.stream().anyMatch(Input::isStandard)) {
+            terminal.tell("raytracer: --watch goes with files, found standard input");
+            return BAD_INPUT;
+        }
+        new Watching(inputs, input -> new Job(input, options, new Places(), terminal).run()).run();
+        return DONE;
     }
 
     private static int run(Options options, Terminal terminal) {

@@ -17,6 +17,8 @@ public enum Option {
             "FOLDER", "compare each SCENE with NAME.png in there"),
     DIFF("FILE", "show differences here; else beside, in NAME-diff.png"),
     TOLERANCE("N", "by how much components may differ, 0 to 255"),
+    EXPLAIN("X,Y", "tell how this pixel gets its colour; no picture"),
+    WATCH("", "render again whenever a scene is saved, until Ctrl-C"),
     CHART("FILE.svg", "chart time against error for this scene; no picture"),
     CHART_SECONDS("N", "how long to measure for it, about (60)"),
     QUIET("", "no progress and no summary; errors and warnings stay"),
@@ -24,8 +26,8 @@ public enum Option {
     REPEAT("N", "render N times in this process, write once"),
     STATS("FILE", "write figures as JSON"),
     CHECK("", "parse and validate only, write nothing"),
-    HELP("", "this text"),
-    VERSION("", "the version");
+    HELP("", "this text; --version prints the version"),
+    VERSION;
 
     private final String[] forms;
 
@@ -35,7 +37,7 @@ public enum Option {
     }
 
     public boolean takesValue() {
-        return !forms[0].isEmpty();
+        return forms.length > 0 && !forms[0].isEmpty();
     }
 
     /** {@code --chart-seconds} */

@@ -23,6 +23,8 @@ public final class Options {
     private static final Pattern SIZE = Pattern.compile("(\\d{1,10})[xX](\\d{1,10})");
     private static final Pattern REGION = Pattern.compile("(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})");
 
+    private static final Pattern PIXEL = Pattern.compile("(\\d{1,10}),(\\d{1,10})");
+
     /** A number or a fraction. */
     private static final Pattern ERROR = Pattern.compile("auto:(\\d*\\.?\\d+)(?:/(\\d*\\.?\\d+))?");
 
@@ -73,7 +75,7 @@ public final class Options {
             throw new UsageException("expected a scene file, found none; see --help");
         }
         if (scenes.size() > 1) {
-            for (Option option : List.of(Option.OUTPUT, Option.STATS, Option.DIFF, Option.CHART)) {
+            for (Option option : List.of(Option.OUTPUT, Option.STATS, Option.DIFF, Option.CHART, Option.EXPLAIN)) {
                 requireOneScene(has(option), option.flag());
             }
             requireOneScene(has(Option.COMPARE) && !new File(text(Option.COMPARE)).isDirectory(),
@@ -91,17 +93,24 @@ public final class Options {
         requireTogether(Option.TOLERANCE, Option.COMPARE);
         requireTogether(Option.DIFF, Option.COMPARE);
         requireTogether(Option.CHART_SECONDS, Option.CHART);
+        requireWithout(Option.EXPLAIN, "it tells of a pixel's one sample, and renders no picture",
+                Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.CHART, Option.STATS, Option.WATCH);
+        requireWithout(Option.WATCH, "it renders again and again", Option.CHART, Option.COMPARE, Option.REPEAT,
+                Option.CHECK);
+        requireWithout(Option.CHART, "it tries many settings in turns, and writes a chart in place of a picture",
+                Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.REPEAT, Option.STATS);
         if (has(Option.CHART)) {
-            for (Option single : List.of(Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.REPEAT,
-                    Option.STATS)) {
-                if (has(single)) {
-                    throw new UsageException("--chart goes without " + single.flag() + ": it tries many settings in"
-                            + " turns, and writes a chart in place of a picture");
-                }
-            }
             if (!text(Option.CHART).endsWith(".svg")) {
                 throw new UsageException("expected the file of --chart to end in '.svg', found '" + text(Option.CHART)
                         + "'");
+            }
+        }
+    }
+
+    private void requireWithout(Option option, String reason, Option... others) throws UsageException {
+        for (Option other : others) {
+            if (has(option) && has(other)) {
+                throw new UsageException(option.flag() + " goes without " + other.flag() + ": " + reason);
             }
         }
     }
@@ -121,6 +130,7 @@ public final class Options {
         requireWhole(Option.CHART_SECONDS, 1, MAX_SECONDS);
         numbers(Option.SIZE, SIZE, "like 640x480", 1, "width", "height");
         region();
+        pixel();
         sampling();
     }
 
@@ -193,6 +203,20 @@ public final class Options {
             whole("the " + (side == 2 ? "width" : "height") + " of --region", "" + r[side], 1, Integer.MAX_VALUE);
         }
         return r;
+    }
+
+    /** The column and the row of the pixel that is to be explained, in a picture of this size. */
+    public int[] pixel(int width, int height) throws UsageException {
+        int[] pixel = pixel();
+        if (pixel[0] >= width || pixel[1] >= height) {
+            throw new UsageException("expected --explain to be inside the picture of " + width + "x" + height
+                    + ", found column " + pixel[0] + " and row " + pixel[1] + "; both count from 0");
+        }
+        return pixel;
+    }
+
+    private int[] pixel() throws UsageException {
+        return numbers(Option.EXPLAIN, PIXEL, "like 100,85: column and row of a pixel", 0, "column", "row");
     }
 
     /** The numbers of a value of several; null if it is not given. */

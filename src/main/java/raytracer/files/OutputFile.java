@@ -77,7 +77,7 @@ public final class OutputFile {
     }
 
     /** The file itself, where a name may be that of a link to it; it need not be there. */
-    static Path place(Path file) throws IOException {
+    public static Path place(Path file) throws IOException {
         Path place = file;
         for (int links = 0; Files.isSymbolicLink(place); links++) {
             if (links == MAX_LINKS) {
@@ -89,7 +89,7 @@ public final class OutputFile {
     }
 
     /** The folder that a file is in. A relative one stays relative: Java may not know the working directory's name. */
-    static Path folder(Path file) {
+    public static Path folder(Path file) {
         return file.getParent() == null ? Path.of(".") : file.getParent();
     }
 

@@ -120,6 +120,16 @@ final class Shading {
         }
     }
 
+    /** How far the last light is from where a ray has arrived. */
+    double lightDistance(int ray) {
+        return shadows.distance[ray];
+    }
+
+    /** Whether the last light is seen from there, if it would add anything. */
+    boolean isUnoccluded(int ray) {
+        return shadows.unoccluded[ray];
+    }
+
     /** How many shadow rays were traced since this was made. */
     long shadowCount() {
         return shadowCount;

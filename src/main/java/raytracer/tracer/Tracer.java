@@ -93,6 +93,11 @@ public final class Tracer {
                 .map(kind -> ((BoundedSurfaces) kind).facts()).toList();
     }
 
+    /** What follows single rays and says what they find. */
+    public Explainer newExplainer() {
+        return new Explainer(pinhole, surfaces, table, lights, maxDepth);
+    }
+
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
         return new TileTracer(pinhole, surfaces, table, lights, maxDepth, progress);

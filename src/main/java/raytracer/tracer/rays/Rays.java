@@ -1,6 +1,7 @@
 package raytracer.tracer.rays;
 
 import java.util.Arrays;
+import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
@@ -97,6 +98,17 @@ public final class Rays {
         for (int i = 0; i < count; i++) {
             pixel[i] = from + i;
         }
+    }
+
+    /** Sets where a ray starts and where it goes, and that it is one of this batch. */
+    public void set(int ray, Vector from, Vector unit) {
+        count = Math.max(count, ray + 1);
+        ox[ray] = from.x();
+        oy[ray] = from.y();
+        oz[ray] = from.z();
+        dx[ray] = unit.x();
+        dy[ray] = unit.y();
+        dz[ray] = unit.z();
     }
 
     /** Whether all rays from one index to another have hit the same surface, or none. */

@@ -1,0 +1,120 @@
+package raytracer.cli;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import raytracer.image.Image;
+import raytracer.parser.Declarations;
+import raytracer.scene.Colour;
+import raytracer.scene.Material;
+import raytracer.scene.Scene;
+import raytracer.scene.Vector;
+import raytracer.tracer.Explainer;
+import raytracer.tracer.Tracer;
+import raytracer.tracer.rays.Samples;
+
+/** Says how a pixel gets its colour: every ray, what it hits, and what each light adds. */
+final class Explaining {
+
+    private static final MathContext DIGITS = new MathContext(6);
+
+    private final String file;
+    private final Declarations declarations;
+    private final Scene scene;
+    private final List<String> lines = new ArrayList<>();
+
+    /** @param declarations of the scene, as its author wrote it in this file */
+    Explaining(String file, Declarations declarations, Scene scene) {
+        this.file = file;
+        this.declarations = declarations;
+        this.scene = scene;
+    }
+
+    /** The lines that explain a pixel of the picture. */
+    List<String> explain(int x, int y) {
+        Tracer tracer = Tracer.compile(scene, 1);
+        lines.add(file + ": pixel " + x + "," + y + " of " + scene.width() + "x" + scene.height());
+        List<Explainer.Step> steps = tracer.newExplainer().explain(x, y);
+        for (int i = 0; i < steps.size(); i++) {
+            explain(i + 1, steps.get(i));
+        }
+        Samples samples = Samples.ofColour();
+        tracer.newTileTracer().traceCentres(x, y, 1, 1, samples);
+        Colour colour = new Colour(samples.red[0], samples.green[0], samples.blue[0]);
+        Image pixel = new Image(1, 1);
+        pixel.setPixels(0, 0, 1, 1, samples.red, samples.green, samples.blue);
+        int rgb = pixel.rgb(0, 0);
+        lines.add("colour " + text(colour) + " -> " + (rgb >> 16) + " " + (rgb >> 8 & 255) + " " + (rgb & 255));
+        return lines;
+    }
+
+    private void explain(int number, Explainer.Step step) {
+        lines.add(String.format("%-3d", number) + (number == 1 ? "ray from the eye " : "mirrored ray from ")
+                + text(step.origin()) + " towards " + text(step.direction())
+                + (number == 1 ? "" : ", of which " + text(step.weight()) + " reaches the pixel"));
+        Explainer.Hit hit = step.hit();
+        if (hit == null) {
+            add("hits nothing: black");
+            return;
+        }
+        add("hits " + shape(hit.surface()) + " at distance " + text(hit.distance()) + ", point " + text(hit.point())
+                + ", normal " + text(hit.normal()));
+        for (int other : hit.asNear()) {
+            add("as near as " + shape(other) + ", within rounding: the first declared is seen");
+        }
+        add("ambient   " + text(hit.material().ambient()));
+        for (int i = 0; i < step.lights().size(); i++) {
+            add(text(declarations.lights().get(i)) + " " + text(step.lights().get(i), hit.material()));
+        }
+        String mirror = text(hit.material().specular());
+        add("mirror    " + switch (step.end()) {
+            case MAX_DEPTH -> mirror + ": not followed, as maxdepth is " + scene.maxDepth();
+            case NO_MIRROR -> mirror + ": none, as 'specular' is black";
+            default -> mirror + " of what the next ray brings";
+        });
+    }
+
+    private void add(String line) {
+        lines.add("   " + line);
+    }
+
+    private String shape(int number) {
+        return text(declarations.shapes().get(number));
+    }
+
+    private String text(Declarations.Place place) {
+        return place.command() + " (" + file + ":" + place.line() + ")";
+    }
+
+    private String text(Explainer.Lit light, Material material) {
+        if (light.isBlocked()) {
+            return "blocked by " + (light.blocker() < 0 ? "a surface that is here within rounding"
+                    : shape(light.blocker()) + " at " + text(light.blockedAt()))
+                    + (Double.isInfinite(light.distance()) ? "" : " of " + text(light.distance()));
+        }
+        if (!light.isFacing()) {
+            return "adds nothing: " + (material.diffuse().isBlack() && material.specular().isBlack()
+                    ? "'diffuse' and 'specular' are black" : "it is behind the surface");
+        }
+        return "adds diffuse " + text(light.diffuse()) + " and highlight " + text(light.highlight());
+    }
+
+    private static String text(Vector v) {
+        return "(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
+    }
+
+    private static String text(Colour c) {
+        return text(new Vector(c.red(), c.green(), c.blue()));
+    }
+
+    /** With six digits. */
+    private static String text(double value) {
+        if (value == 0 || !Double.isFinite(value)) {
+            return value == 0 ? "0" : String.valueOf(value);
+        }
+        BigDecimal rounded = new BigDecimal(value).round(DIGITS).stripTrailingZeros();
+        double size = Math.abs(value);
+        return size >= 1e-4 && size < 1e9 ? rounded.toPlainString() : rounded.toString();
+    }
+}
