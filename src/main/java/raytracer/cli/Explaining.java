@@ -39,7 +39,7 @@ final class Explaining {
         for (int i = 0; i < steps.size(); i++) {
             explain(i + 1, steps.get(i));
         }
-        Samples samples = Samples.ofColour();
+        Samples samples = new Samples();
         tracer.newTileTracer().traceCentres(x, y, 1, 1, samples);
         Colour colour = new Colour(samples.red[0], samples.green[0], samples.blue[0]);
         Image pixel = new Image(1, 1);

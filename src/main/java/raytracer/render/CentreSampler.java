@@ -9,7 +9,7 @@ import raytracer.tracer.TileTracer;
 final class CentreSampler implements Sampler {
 
     private final TileTracer tracer;
-    private final Samples samples = Samples.ofColour();
+    private final Samples samples = new Samples();
 
     CentreSampler(TileTracer tracer) {
         this.tracer = tracer;

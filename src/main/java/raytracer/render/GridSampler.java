@@ -14,7 +14,7 @@ final class GridSampler implements Sampler {
 
     private final TileTracer enlarged;
     private final int n;
-    private final Samples samples = Samples.ofColour();
+    private final Samples samples = new Samples();
     private double[] red, green, blue;
 
     /** @param enlarged traces the picture n times as large */

@@ -2,6 +2,7 @@ package raytracer.render;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -31,6 +32,7 @@ public final class Renderer {
     private final Tracer tracer;
     private final Sampling sampling;
     private final int threads;
+    private final Region region;
     private final Tiles tiles;
     private final PixelSink sink;
     private final AtomicLong done = new AtomicLong();
@@ -45,7 +47,11 @@ public final class Renderer {
         this.sampling = sampling;
         this.threads = threads;
         this.sink = sink;
-        tiles = new Tiles(region);
+        this.region = region;
+        tiles = sampling instanceof Sampling.Adaptive
+                ? new Tiles(region.aligned(AdaptiveSampler.TILE_SIDE, tracer.width(), tracer.height()),
+                        AdaptiveSampler.TILE_SIDE)
+                : new Tiles(region, Tracer.TILE_SIDE);
     }
 
     /** Renders all of the region; returns when it is done. */
@@ -74,21 +80,22 @@ public final class Renderer {
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
         // Of the whole picture, so that a part of it gets the same samples.
-        Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()));
+        Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()), AdaptiveSampler.TILE_SIDE);
         int stride = (int) Math.max(Math.max(1, whole.count() / MAX_PILOTS),
                 Math.min(PILOT_STRIDE, whole.count() / MIN_PILOTS));
-        double[][] variances = new double[(int) ((whole.count() + stride - 1) / stride)][];
+        List<List<SampleBudget.Pilot>> pilots = new ArrayList<>(
+                Collections.nCopies((int) ((whole.count() + stride - 1) / stride), List.of()));
         RayCounts pilot = onAllThreads(pool,
-                () -> look(new AdaptiveSampler(tracer.newTileTracer(), error, null), whole, stride, variances));
+                () -> look(new AdaptiveSampler(tracer.newTileTracer(), error, null), whole, stride, pilots));
         long pixels = 0;
-        for (int i = 0; i < variances.length; i++) {
+        for (int i = 0; i < pilots.size(); i++) {
             pixels += whole.pixels((long) i * stride);
         }
-        double[] all = Arrays.stream(variances).flatMapToDouble(Arrays::stream).toArray();
-        tracer.expect((long) (tiles.pixels() * AdaptiveSampler.firstSamples(error)));
-        SampleBudget budget = SampleBudget.plan(all, pixels, error, AdaptiveSampler.firstSamples(error));
-        return pilot.plus(onAllThreads(pool, () -> work(budget.grid() > 0
-                ? newGridSampler(budget.grid())
+        List<SampleBudget.Pilot> all = pilots.stream().flatMap(List::stream).toList();
+        tracer.expect((long) (tiles.pixels() * AdaptiveSampler.FIRST_SAMPLES));
+        SampleBudget budget = SampleBudget.plan(all, pixels, error, AdaptiveSampler.FIRST_SAMPLES);
+        return pilot.plus(onAllThreads(pool, () -> work(budget.all() > 0
+                ? new SequenceSampler(tracer.newTileTracer(), new Sampling.Sequence(budget.all(), 0))
                 : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));
     }
 
@@ -129,25 +136,36 @@ public final class Renderer {
         return (double) done.get() / tiles.count();
     }
 
-    /** Measures the variances of every so many-th tile. */
-    private static RayCounts look(AdaptiveSampler sampler, Tiles whole, int stride, double[][] variances) {
+    /** Finds out what every so many-th tile is like. */
+    private static RayCounts look(AdaptiveSampler sampler, Tiles whole, int stride,
+            List<List<SampleBudget.Pilot>> pilots) {
         for (long tile; (tile = whole.next(stride)) < whole.count(); ) {
-            variances[(int) (tile / stride)] = sampler.variances(
-                    whole.left(tile), whole.top(tile), whole.columns(tile), whole.rows(tile));
+            pilots.set((int) (tile / stride),
+                    sampler.pilots(whole.left(tile), whole.top(tile), whole.columns(tile), whole.rows(tile)));
         }
         return sampler.counts();
     }
 
-    /** Counts pixels from a region's corner. */
+    /** Counts pixels from a region's corner, and drops those outside. */
     private record InRegion(Region region, PixelSink sink) implements PixelSink {
         @Override
         public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
-            sink.setPixels(x - region.x(), y - region.y(), columns, rows, red, green, blue);
+            int left = Math.max(x, region.x()), right = Math.min(x + columns, region.x() + region.width());
+            if (left == x && right == x + columns && y >= region.y() && y + rows <= region.y() + region.height()) {
+                sink.setPixels(x - region.x(), y - region.y(), columns, rows, red, green, blue);
+                return;
+            }
+            for (int row = Math.max(y, region.y()); row < Math.min(y + rows, region.y() + region.height()); row++) {
+                int from = (row - y) * columns + left - x, to = (row - y) * columns + right - x;
+                sink.setPixels(left - region.x(), row - region.y(), right - left, 1,
+                        Arrays.copyOfRange(red, from, to), Arrays.copyOfRange(green, from, to),
+                        Arrays.copyOfRange(blue, from, to));
+            }
         }
     }
 
     private RayCounts work(Sampler sampler) {
-        PixelSink inRegion = new InRegion(tiles.region(), sink);
+        PixelSink inRegion = new InRegion(region, sink);
         for (long tile; (tile = tiles.next(1)) < tiles.count(); ) {
             sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), inRegion);
             done.incrementAndGet();

@@ -1,24 +1,26 @@
 package raytracer.render;
 
 import java.util.concurrent.atomic.AtomicLong;
-import raytracer.tracer.Tracer;
 
 /** The squares into which a region is cut, row by row from its top left corner; threads take one after the other. */
 final class Tiles {
 
     private final Region region;
+    private final int side;
     private final long across;
     private final long count;
     private final AtomicLong next = new AtomicLong();
 
-    Tiles(Region region) {
+    /** @param side of a tile, in pixels */
+    Tiles(Region region, int side) {
         this.region = region;
+        this.side = side;
         across = along(region.width());
         count = across * along(region.height());
     }
 
-    private static long along(int pixels) {
-        return (pixels + Tracer.TILE_SIDE - 1L) / Tracer.TILE_SIDE;
+    private long along(int pixels) {
+        return (pixels + side - 1L) / side;
     }
 
     Region region() {
@@ -40,19 +42,19 @@ final class Tiles {
     }
 
     int left(long tile) {
-        return region.x() + (int) (tile % across) * Tracer.TILE_SIDE;
+        return region.x() + (int) (tile % across) * side;
     }
 
     int top(long tile) {
-        return region.y() + (int) (tile / across) * Tracer.TILE_SIDE;
+        return region.y() + (int) (tile / across) * side;
     }
 
     int columns(long tile) {
-        return Math.min(Tracer.TILE_SIDE, region.x() + region.width() - left(tile));
+        return Math.min(side, region.x() + region.width() - left(tile));
     }
 
     int rows(long tile) {
-        return Math.min(Tracer.TILE_SIDE, region.y() + region.height() - top(tile));
+        return Math.min(side, region.y() + region.height() - top(tile));
     }
 
     int pixels(long tile) {

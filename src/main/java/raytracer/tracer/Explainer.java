@@ -73,7 +73,7 @@ public final class Explainer {
 
     /** The steps of the ray through a pixel's centre, from the eye on; pixels count from the left and the top. */
     public List<Step> explain(int x, int y) {
-        Samples samples = Samples.ofColour();
+        Samples samples = new Samples();
         samples.setCentres(x, y, 1, 1);
         rays.start(pinhole.aiming(rays), samples, 0, 1);
         List<Step> steps = new ArrayList<>();
@@ -145,7 +145,7 @@ public final class Explainer {
         Colour highlight = part(light,
                 new Material(Colour.BLACK, Colour.BLACK, material.specular(), material.shininess()));
         Shading whole = new Shading(surfaces, List.of(light), rays, space);
-        whole.shade(0, 1, material, Samples.ofColour());
+        whole.shade(0, 1, material, null);
         double distance = whole.lightDistance(0);
         if (whole.shadowCount() == 0 || whole.isUnoccluded(0)) {
             return new Lit(diffuse, highlight, whole.shadowCount() > 0, false, -1, 0, distance);
@@ -156,7 +156,7 @@ public final class Explainer {
     /** What a light adds to a material. */
     private Colour part(LightSource light, Material material) {
         Shading shading = new Shading(surfaces, List.of(light), rays, space);
-        shading.shade(0, 1, material, Samples.ofColour());
+        shading.shade(0, 1, material, null);
         return new Colour(shading.red[0], shading.green[0], shading.blue[0]);
     }
 

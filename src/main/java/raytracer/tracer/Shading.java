@@ -9,7 +9,6 @@ import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.SearchWorkspace;
@@ -138,9 +137,9 @@ final class Shading {
     /**
      * Shades rays from one index to another, which have arrived at surfaces of this material.
      *
-     * @param samples if they have paths, these take note of which lights are seen
+     * @param cells takes note of which lights are seen; null if nobody does
      */
-    void shade(int from, int to, Material ofAll, Samples samples) {
+    void shade(int from, int to, Material ofAll, SettledCells cells) {
         material = ofAll;
         Kernel.run(new Kernel.Fill(red, material.ambient().red()), from, to);
         Kernel.run(new Kernel.Fill(green, material.ambient().green()), from, to);
@@ -153,7 +152,10 @@ final class Shading {
             light = each;
             Kernel.run(aim, from, to);
             Kernel.run(findReflectance, from, to);
-            int unoccluded = unoccluded(from, to);
+            int unoccluded = markUnoccluded(from, to);
+            if (cells != null) {
+                cells.aimed(from, to, shadows);
+            }
             if (unoccluded > 0) {
                 shadowCount += unoccluded;
                 for (Kernel kind : block) {
@@ -161,29 +163,14 @@ final class Shading {
                 }
                 Kernel.run(addLight, from, to);
             }
-            // Even where all are dark: a path must not depend on what other rays are in the group.
-            if (samples.path != null) {
-                extendPaths(samples, from, to);
+            if (cells != null) {
+                cells.lit(from, to, shadows, material);
             }
         }
     }
 
     private void aim(int from, int to) {
         shadows.aim(light, from, to);
-    }
-
-    private void extendPaths(Samples samples, int from, int to) {
-        for (int i = from; i < to; i++) {
-            int p = rays.pixel[i];
-            if (!rays.isFainter(i, samples.faintest)) {
-                samples.path[p] = extendPath(samples.path[p], shadows.unoccluded[i] ? 1 : 0);
-            }
-        }
-    }
-
-    /** One more step of a path's number: different ones stay different but for chance. */
-    static int extendPath(int path, int step) {
-        return (path ^ step + 1) * 0x9E3779B1;
     }
 
     /** Computes the cosines that decide how much light the surface returns. */
@@ -195,7 +182,7 @@ final class Shading {
     }
 
     /** Marks the shadow rays on which the light would add something; returns how many. */
-    private int unoccluded(int from, int to) {
+    private int markUnoccluded(int from, int to) {
         boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
         boolean alwaysSpecular = specular && material.shininess() <= 0;
         int count = 0;

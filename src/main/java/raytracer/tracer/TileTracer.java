@@ -1,6 +1,5 @@
 package raytracer.tracer;
 
-import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
@@ -56,6 +55,10 @@ public final class TileTracer {
     /** How many surfaces the paths of this round's rays have hit with the one that they hit now. */
     private int depth;
 
+    private final SettledCells cells;
+    /** Null unless something is to be proved. */
+    private SettledCells watching;
+
     /** What is being traced: rays know their sample's number as their pixel. */
     private Samples samples;
 
@@ -80,6 +83,7 @@ public final class TileTracer {
             find[kind] = ClosestHit.among(surfaces.get(kind), rays, pinhole.source(), space);
         }
         shading = new Shading(surfaces, lights, rays, space);
+        cells = new SettledCells(surfaces, rays, space);
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
@@ -89,6 +93,23 @@ public final class TileTracer {
         for (int from = 0; from < all.count; from += max) {
             trace(from, Math.min(from + max, all.count));
         }
+    }
+
+    /**
+     * Traces the rays through the corners of a rectangle's pixels, one more of each than there are columns and rows, and
+     * sets their colours.
+     *
+     * @param tolerance by how much a pixel's colour may be off without more samples, of a range of [0, 1]
+     * @return by pixel, row by row: whether it is proved that its corners' mean is its colour
+     */
+    public boolean[] traceCorners(int left, int top, int columns, int rows, double tolerance, Samples all) {
+        all.setCorners(left, top, columns, rows);
+        samples = all;
+        cells.start(columns + 1, rows + 1, tolerance);
+        watching = cells;
+        trace(0, all.count);
+        watching = null;
+        return cells.settled(all);
     }
 
     /** Traces the rays through the centres of a tile's pixels, which become the points, and sets their colours. */
@@ -116,9 +137,6 @@ public final class TileTracer {
         Kernel.run(new Kernel.Fill(samples.red, 0), from, to);
         Kernel.run(new Kernel.Fill(samples.green, 0), from, to);
         Kernel.run(new Kernel.Fill(samples.blue, 0), from, to);
-        if (samples.path != null) {
-            Arrays.fill(samples.path, from, to, 0);
-        }
         rays.start(aiming, samples, from, to - from);
         primaryCount += to - from;
         progress.add(to - from);
@@ -138,6 +156,9 @@ public final class TileTracer {
             Kernel.run(kind, 0, rays.count);
         }
         ties.settle();
+        if (watching != null) {
+            watching.found();
+        }
     }
 
     /** Puts rays that have hit surfaces of the same material together; those that have hit none leave. */
@@ -150,10 +171,9 @@ public final class TileTracer {
         for (int group = 0; group < groups.count(); group++) {
             int kind = kindOf(rays.hit[groups.start(group)]);
             Kernel.run(move[kind], groups.start(group), groups.end(group));
-            if (samples.path != null) {
-                extendPaths(groups.start(group), groups.end(group), surfaces.get(kind).isOfOneSurface(),
-                        groups.material(group));
-            }
+        }
+        if (watching != null) {
+            watching.moved();
         }
     }
 
@@ -165,19 +185,9 @@ public final class TileTracer {
         return kind;
     }
 
-    private void extendPaths(int from, int to, boolean oneSurface, int materialIndex) {
-        for (int i = from; i < to; i++) {
-            int p = rays.pixel[i];
-            if (rays.isFainter(i, samples.faintest)) {
-                continue;
-            }
-            samples.path[p] = Shading.extendPath(samples.path[p], oneSurface ? materialIndex : materials.length + rays.hit[i]);
-        }
-    }
-
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(groups.start(group), groups.end(group), materials[groups.material(group)], samples);
+            shading.shade(groups.start(group), groups.end(group), materials[groups.material(group)], watching);
         }
     }
 

@@ -3,51 +3,61 @@ package raytracer.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
 @DisplayName("A budget of samples")
 class SampleBudgetTest {
 
-    private static double[] filled(int count, double value) {
-        double[] values = new double[count];
-        Arrays.fill(values, value);
-        return values;
+    /** C of the edges' errors, squared. */
+    private static final double C2 = 1.25 * 1.25;
+
+    private static List<SampleBudget.Pilot> pilots(int count, double variance) {
+        return Collections.nCopies(count, new SampleBudget.Pilot(variance, variance));
     }
 
     @Test
-    void isAGridWhereAllPixelsAreAsUneven() {
-        // Error^2 = v / N^3 for all: N = (.1 / .01^2)^(1/3) = 10.
-        assertEquals(10, SampleBudget.plan(filled(1000, .1 - 1e-9), 1000, .01, 1.27).grid());
+    void isTheSameForAllWhereAllPixelsAreAsUneven() {
+        // Error^2 = C^2 v / N^1.5 for all: N = (C^2 .1 / .01^2)^(2/3).
+        assertEquals(Math.ceil(Math.pow(C2 * .1 / 1e-4, 2 / 3.0)), SampleBudget.plan(pilots(1000, .1), 1000, .01, 1.1).all());
     }
 
     @Test
-    void spendsNothingOnAPictureWithoutEdges() {
-        SampleBudget budget = SampleBudget.plan(new double[0], 1000, .0039, 1.27);
-        assertTrue(budget.grid() <= 1, budget.toString());
+    void isNothingForAPictureWithoutEdges() {
+        SampleBudget budget = SampleBudget.plan(List.of(), 1000, .0039, 1.1);
+        assertTrue(budget.all() <= 1, budget.toString());
     }
 
     @Test
     void givesAFewUnevenPixelsTheSamplesThatTheErrorAllows() {
-        // One pixel in 20: v / (20 N^3) = error^2 makes N = (.1 / (20 .004^2))^(1/3) = 6.8.
-        SampleBudget budget = SampleBudget.plan(filled(50, .1), 1000, .004, 1.27);
-        assertEquals(0, budget.grid());
-        assertEquals(7, budget.along(.1), budget.toString());
-        assertEquals(budget.closer(), budget.along(0));
+        // One pixel in 20: C^2 v / (20 N^1.5) = error^2.
+        SampleBudget budget = SampleBudget.plan(pilots(50, .1), 1000, .004, 1.1);
+        assertEquals(0, budget.all());
+        assertEquals(Math.pow(C2 * .1 / 20 / 16e-6, 2 / 3.0), budget.samples(.1), 1, budget.toString());
+        assertEquals(budget.closer(), budget.samples(0));
     }
 
     @Test
-    void growsWithTheVarianceToThePowerOfOneFifth() {
-        double[] variances = filled(100, .1);
-        Arrays.fill(variances, 0, 50, .1 / 32);
-        SampleBudget budget = SampleBudget.plan(variances, 2000, .001, 1.27);
-        // Rounding to whole numbers leaves half a sample on either side.
-        assertEquals(budget.along(.1), 2 * budget.along(.1 / 32), 1.5, budget.toString());
+    void growsWithTheVarianceToThePowerOfTwoFifths() {
+        List<SampleBudget.Pilot> pilots = new ArrayList<>(pilots(50, .1));
+        pilots.addAll(pilots(50, .1 / 32));
+        SampleBudget budget = SampleBudget.plan(pilots, 2000, .0003, 1.1);
+        assertEquals(budget.samples(.1), 4 * budget.samples(.1 / 32), 4, budget.toString());
+    }
+
+    @Test
+    void isMoreWhereAGlanceOverlooksMuch() {
+        List<SampleBudget.Pilot> seen = pilots(50, .1), overlooked = Collections.nCopies(50, new SampleBudget.Pilot(0, .1));
+        SampleBudget a = SampleBudget.plan(seen, 1000, .01, 1.1), b = SampleBudget.plan(overlooked, 1000, .01, 1.1);
+        assertEquals(0, a.unseen());
+        assertTrue(b.samples(0) > a.samples(0), a + " " + b);
     }
 
     @Test
     void neverGivesMoreThanTheMost() {
-        assertTrue(SampleBudget.plan(filled(10, 1), 1000, 1e-4, 5).along(1) <= SampleBudget.MAX);
+        assertTrue(SampleBudget.plan(pilots(10, 1), 1000, 1e-4, 5).samples(1) <= SampleBudget.MAX);
     }
 }

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,7 +67,7 @@ class SamplingTest {
     private static final Map<String, Canvas> CONVERGED = new HashMap<>();
 
     private static Canvas converged(String name, Scene scene) {
-        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Sequence(256, 1)));
+        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Sequence(600, 1)));
     }
 
     private static Canvas render(Scene scene, Sampling sampling) {
@@ -144,6 +146,50 @@ class SamplingTest {
         RayCounts[] counts = new RayCounts[1];
         render(scene, new Sampling.Adaptive(.0039), counts);
         assertTrue(counts[0].primary() < 1.7 * 640 * 480, counts[0].primary() + " rays");
+    }
+
+    private static String slats(double width) {
+        StringBuilder text = new StringBuilder("size 160 120\ncamera 0 0 10 0 0 0 0 1 0 45\nambient 1 1 1\nmaxverts 400\n");
+        StringBuilder triangles = new StringBuilder();
+        for (int i = 0; i < 100; i++) {
+            double x = -4 + i * .0811;
+            text.append(String.format(Locale.ROOT, "vertex %s -3 0\nvertex %s -3 0\nvertex %s 3 0\nvertex %s 3 0\n", x,
+                    x + width, x + width + .01, x + .01));
+            triangles.append(String.format("tri %d %d %d\ntri %d %d %d\n", 4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3));
+        }
+        return text.append(triangles).toString();
+    }
+
+    private static String dust() {
+        Random random = new Random(3);
+        StringBuilder text = new StringBuilder("size 160 120\ncamera 0 0 10 0 0 0 0 1 0 45\nambient 1 .8 .6\n");
+        for (int i = 0; i < 300; i++) {
+            text.append(String.format(Locale.ROOT, "sphere %s %s 0 .008\n", 10 * random.nextDouble() - 5, 8 * random.nextDouble() - 4));
+        }
+        return text.toString();
+    }
+
+    private static String grid() {
+        StringBuilder text = new StringBuilder("size 160 120\ncamera 0 1 0 0 .8 -10 0 1 0 50\ndirectional .3 1 .2 1 1 1\n"
+                + "ambient .1 .1 .1\ndiffuse .5 .5 .5\nplane 0 0 0 0 1 0\ndiffuse .9 .2 .1\n");
+        for (int i = 0; i < 400; i++) {
+            text.append(String.format(Locale.ROOT, "sphere %s .05 %s .05\n", (i % 20 - 10) * 1.5, -3 - i / 20 * 1.5));
+        }
+        return text.toString();
+    }
+
+    @ParameterizedTest(name = "auto on {0} keeps to an error of one in {1}, though most of what is seen is thinner than a pixel")
+    @CsvSource({"slats, 64", "slats, 255", "narrow slats, 64", "narrow slats, 255", "dust, 64", "dust, 255", "grid, 64",
+        "grid, 255"})
+    void keepToTheErrorOnThinThings(String name, int parts) throws Exception {
+        Scene scene = Scenes.parse(switch (name) {
+            case "slats" -> slats(.03);
+            case "narrow slats" -> slats(.004);
+            case "dust" -> dust();
+            default -> grid();
+        }).scene();
+        double error = render(scene, new Sampling.Adaptive(1.0 / parts)).rmse(converged(name, scene));
+        assertTrue(error <= 1.2 / parts, error * parts + " times the aim");
     }
 
     @Test

@@ -56,7 +56,7 @@ class EyeBufferTest {
 
     /** What the eye sees in a quarter of a tile's pixels, in rows of 50, by 2 x 2 samples. */
     private static Rays seen(Pinhole pinhole, int pixel, List<Surfaces> surfaces, SearchWorkspace space) {
-        Samples samples = Samples.ofColour();
+        Samples samples = new Samples();
         for (int i = 0; i < Batch.CAPACITY; i++) {
             int p = pixel + i / 4;
             SamplesTest.add(samples, p % 50 - 1 + .25 + i % 2 * .5, p / 50 - 1 + .25 + i % 4 / 2 * .5);

@@ -80,7 +80,7 @@ class TiesTest {
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
             TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new Progress());
-            Samples samples = Samples.ofColour();
+            Samples samples = new Samples();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
                     int columns = Math.min(side, WIDTH - left), rows = Math.min(side, HEIGHT - top);
@@ -99,7 +99,7 @@ class TiesTest {
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
             TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new Progress());
-            Samples samples = Samples.ofColour();
+            Samples samples = new Samples();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));
                 samples.count = 0;

@@ -1,10 +1,24 @@
 package raytracer.tracer.kernel;
 
+import raytracer.scene.Vector;
+
 /** As many vectors as a tile has rays. */
 public record Vectors(double[] x, double[] y, double[] z) {
 
     public Vectors() {
         this(new double[Batch.CAPACITY], new double[Batch.CAPACITY], new double[Batch.CAPACITY]);
+    }
+
+    /** Vector i as an object. */
+    public Vector get(int i) {
+        return new Vector(x[i], y[i], z[i]);
+    }
+
+    /** Sets vector i to vector j of others. */
+    public void set(int i, Vectors others, int j) {
+        x[i] = others.x[j];
+        y[i] = others.y[j];
+        z[i] = others.z[j];
     }
 
     /** out = a x b */

@@ -132,6 +132,23 @@ public final class Planes implements UnboundedSurfaces {
         return (from, to) -> block(rays, shadows, from, to, workspace);
     }
 
+    @Override
+    public boolean anyBlocksAll(Rays rays, ShadowRays shadows, int[] which) {
+        for (int k = 0; k < count; k++) {
+            int side = sideOfLight(shadows.light, k);
+            int blocked = 0;
+            for (int i : which) {
+                double offset = (px[k] - rays.ox[i]) * nx[k] + (py[k] - rays.oy[i]) * ny[k]
+                        + (pz[k] - rays.oz[i]) * nz[k];
+                blocked += isBehind(rays, i, k, side * offset) ? 1 : 0;
+            }
+            if (blocked == which.length) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private void block(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
         for (int k = 0; k < count; k++) {
             int side = sideOfLight(shadows.light, k);
@@ -157,22 +174,21 @@ public final class Planes implements UnboundedSurfaces {
     /** Occludes the rays from points that are clearly not on the light's side of a plane, nor on the plane. */
     private void close(Rays rays, boolean[] unoccluded, int k, int side, double[] offset, int from, int to) {
         for (int i = from; i < to; i++) {
-            double below = side * offset[i];
-            if (below > 0 && unoccluded[i] && rays.hit[i] != firstSurface + k && below > offsetError(rays, i, k)) {
+            if (unoccluded[i] && isBehind(rays, i, k, side * offset[i])) {
                 unoccluded[i] = false;
             }
         }
+    }
+
+    /** Whether a ray has arrived on the other side of a plane than the light, and clearly not on it. */
+    private boolean isBehind(Rays rays, int i, int k, double below) {
+        return below > 0 && rays.hit[i] != firstSurface + k && below > offsetError(rays, i, k);
     }
 
     /** Bounds the error of how far a plane is, along its normal, from where a ray has arrived. */
     private double offsetError(Rays rays, int i, int k) {
         double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
         return Rounding.planeOffset(rays.originError[i], products(rays, i, k)) + rays.slide[i] * Math.abs(cosine);
-    }
-
-    @Override
-    public boolean isOfOneSurface() {
-        return false;
     }
 
     @Override

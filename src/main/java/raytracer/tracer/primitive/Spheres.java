@@ -272,11 +272,6 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public boolean isOfOneSurface() {
-        return false;
-    }
-
-    @Override
     public Kernel moving(Rays rays, Workspace workspace) {
         return new SphereHits(data, surface(0), rays, workspace);
     }

@@ -241,11 +241,6 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public boolean isOfOneSurface() {
-        return true;
-    }
-
-    @Override
     public Kernel moving(Rays rays, Workspace workspace) {
         return (from, to) -> {
             for (int i = from; i < to; i++) {

@@ -147,11 +147,6 @@ public final class Rays {
         closeDistance[ray] = distance[ray];
     }
 
-    /** Whether less than this part of each component of the light that comes along a ray reaches the pixel. */
-    public boolean isFainter(int ray, double limit) {
-        return leaveEye ? limit > 1 : red[ray] < limit && green[ray] < limit && blue[ray] < limit;
-    }
-
     /**
      * Moves a ray's origin to where it has hit a plane or triangle.
      *

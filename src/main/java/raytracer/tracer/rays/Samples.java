@@ -24,29 +24,6 @@ public final class Samples {
     public final double[] green = new double[CAPACITY];
     public final double[] blue = new double[CAPACITY];
 
-    /**
-     * What the ray hit: samples of the same surfaces, seen by way of the same mirrors and lit by the same lights, have
-     * the same number, and others hardly ever. All triangles of one material are taken for one surface.
-     */
-    public final int[] path;
-
-    /** Where a mirror's image is fainter than this, paths end: of a range of [0, 1]. */
-    public final double faintest;
-
-    private Samples(int[] path, double faintest) {
-        this.path = path;
-        this.faintest = faintest;
-    }
-
-    public static Samples ofColour() {
-        return new Samples(null, 0);
-    }
-
-    /** @param faintest what is seen in mirrors counts as part of a path if this much of its light arrives */
-    public static Samples ofColourAndPath(double faintest) {
-        return new Samples(new int[CAPACITY], faintest);
-    }
-
     /** Takes the centres of a rectangle's pixels, row by row, in place of all points. */
     public void setCentres(int left, int top, int columns, int rows) {
         count = columns * rows;
@@ -56,6 +33,15 @@ public final class Samples {
         for (int row = 0; row < rows; row++) {
             System.arraycopy(x, 0, x, row * columns, columns);
             Arrays.fill(y, row * columns, (row + 1) * columns, top + row + 0.5);
+        }
+    }
+
+    /** Takes the corners of a rectangle's pixels, row by row, in place of all points: one more than columns, and rows. */
+    public void setCorners(int left, int top, int columns, int rows) {
+        setCentres(left, top, columns + 1, rows + 1);
+        for (int i = 0; i < count; i++) {
+            x[i] -= 0.5;
+            y[i] -= 0.5;
         }
     }
 }

@@ -5,6 +5,7 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 
 /**
@@ -53,6 +54,15 @@ public final class Beam {
         for (int i = from; i < to; i++) {
             maxDistance = rays.distance[i] > maxDistance ? rays.distance[i] : maxDistance;
         }
+    }
+
+    /** Takes in a bundle's rays. */
+    void enclose(RayBundle bundle) {
+        System.arraycopy(bundle.minOrigin, 0, minOrigin, 0, minOrigin.length);
+        System.arraycopy(bundle.maxOrigin, 0, maxOrigin, 0, maxOrigin.length);
+        System.arraycopy(bundle.minDirection, 0, minDirection, 0, minDirection.length);
+        System.arraycopy(bundle.maxDirection, 0, maxDirection, 0, maxDirection.length);
+        maxDistance = bundle.maxDistance;
     }
 
     /**

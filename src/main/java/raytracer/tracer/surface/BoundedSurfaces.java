@@ -94,7 +94,8 @@ public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
         return lightBuffers.get(light);
     }
 
-    protected final int surface(int k) {
+    /** The index of the surface with this number among these. */
+    public final int surface(int k) {
         return firstSurface + k;
     }
 

@@ -16,9 +16,6 @@ public interface Surfaces {
     /** Whether the surface with this index is one of these. */
     boolean owns(int surface);
 
-    /** Whether all of one material are parts of one surface, as triangles are of a mesh. */
-    boolean isOfOneSurface();
-
     /**
      * What moves rays, from one index to another, that have hit these to where they hit them: their origins become
      * those points, with bounds on their errors, and the normals are set.

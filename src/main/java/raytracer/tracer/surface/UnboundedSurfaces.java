@@ -12,4 +12,7 @@ public interface UnboundedSurfaces extends Surfaces {
 
     /** What occludes every shadow ray that one of these blocks between its ends. */
     Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace);
+
+    /** Whether one of these blocks each of some shadow rays. */
+    boolean anyBlocksAll(Rays rays, ShadowRays shadows, int[] which);
 }
