@@ -33,7 +33,6 @@ public final class SceneParser {
     /** Where a command that may be given once was given. */
     private final Map<Command, Long> lineOf = new EnumMap<>(Command.class);
 
-    private final MaterialState material = new MaterialState();
     private final List<Light> lights = new ArrayList<>();
     private final ShapeList shapes = new ShapeList();
     private int width;
@@ -137,10 +136,10 @@ public final class SceneParser {
             case CAMERA -> camera(o);
             case OUTPUT -> output(o);
             case MAXDEPTH -> maxDepth(o);
-            case AMBIENT -> material.ambient(coloured(o.colour(0)));
-            case DIFFUSE -> material.diffuse(coloured(o.colour(0)));
-            case SPECULAR -> material.specular(o.colour(0));
-            case SHININESS -> material.shininess(o.number(0));
+            case AMBIENT -> shapes.ambient(coloured(o.colour(0)));
+            case DIFFUSE -> shapes.diffuse(coloured(o.colour(0)));
+            case SPECULAR -> shapes.specular(o.colour(0));
+            case SHININESS -> shapes.shininess(o.number(0));
             case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
             case POINT -> lights.add(new Light.Point(o.point(0), o.colour(3)));
             case MAXVERTS -> maxVertices(o);
@@ -163,7 +162,7 @@ public final class SceneParser {
             firstColourless = firstColourless == 0 ? reader.number() : firstColourless;
             lastColourless = reader.number();
         }
-        return material.current();
+        return shapes.material();
     }
 
     /** Keeps one mistake from being reported again by every line that builds on it. */

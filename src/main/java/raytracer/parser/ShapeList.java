@@ -2,16 +2,21 @@ package raytracer.parser;
 
 import java.util.ArrayList;
 import java.util.List;
+import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Mesh;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 
-/** The shapes in the order of declaration; triangles that follow one another in one material become one run. */
+/**
+ * The shapes in the order of declaration, and the material commands in force, whose values each shape takes that is
+ * declared after them. Triangles that follow one another in one material become one run.
+ */
 final class ShapeList {
 
     private final List<Shape> shapes = new ArrayList<>();
     private final Mesh.Builder mesh = new Mesh.Builder();
+    private Material current = Material.DEFAULT;
     private int runStart;
     private Material runMaterial;
 
@@ -66,5 +71,32 @@ final class ShapeList {
 
     Mesh mesh() {
         return mesh.build();
+    }
+
+    /** What a shape is made of that is declared now: the same object for as long as no value changes. */
+    Material material() {
+        return current;
+    }
+
+    void ambient(Colour c) {
+        set(new Material(c, current.diffuse(), current.specular(), current.shininess()));
+    }
+
+    void diffuse(Colour c) {
+        set(new Material(current.ambient(), c, current.specular(), current.shininess()));
+    }
+
+    void specular(Colour c) {
+        set(new Material(current.ambient(), current.diffuse(), c, current.shininess()));
+    }
+
+    void shininess(double s) {
+        set(new Material(current.ambient(), current.diffuse(), current.specular(), s));
+    }
+
+    private void set(Material material) {
+        if (!material.equals(current)) {
+            current = material;
+        }
     }
 }

@@ -25,6 +25,12 @@ final class GridSampler implements Sampler {
 
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
+        if (n == 1) {
+            // A pixel's one sample is its colour, and is cut where it becomes a byte.
+            enlarged.traceCentres(left, top, columns, rows, samples);
+            sink.setPixels(left, top, columns, rows, samples.red, samples.green, samples.blue);
+            return;
+        }
         red = new double[columns * rows];
         green = new double[columns * rows];
         blue = new double[columns * rows];

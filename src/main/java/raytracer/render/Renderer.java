@@ -70,12 +70,8 @@ public final class Renderer {
 
     private Sampler newSampler() {
         return sampling instanceof Sampling.Grid grid
-                ? newGridSampler(grid.n())
+                ? new GridSampler(tracer.enlarged(grid.n()).newTileTracer(), grid.n())
                 : new SequenceSampler(tracer.newTileTracer(), (Sampling.Sequence) sampling);
-    }
-
-    private Sampler newGridSampler(int n) {
-        return n == 1 ? new CentreSampler(tracer.newTileTracer()) : new GridSampler(tracer.enlarged(n).newTileTracer(), n);
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {

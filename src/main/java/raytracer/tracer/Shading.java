@@ -6,6 +6,7 @@ import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.settled.SettledCells;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
