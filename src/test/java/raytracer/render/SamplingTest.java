@@ -67,7 +67,7 @@ class SamplingTest {
     private static final Map<String, Canvas> CONVERGED = new HashMap<>();
 
     private static Canvas converged(String name, Scene scene) {
-        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Sequence(600, 1)));
+        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Sequence(300, 1)));
     }
 
     private static Canvas render(Scene scene, Sampling sampling) {

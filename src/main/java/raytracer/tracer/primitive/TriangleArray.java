@@ -127,13 +127,14 @@ final class TriangleArray {
             Rays rays, Vectors d, int i, int k, double originError, double directionError, double t) {
         double ox = rays.ox[i], oy = rays.oy[i], oz = rays.oz[i];
         Vector way = new Vector(d.x()[i], d.y()[i], d.z()[i]);
-        Vector a = new Vector(corner(k, 0, 0) - ox, corner(k, 0, 1) - oy, corner(k, 0, 2) - oz);
-        Vector b = new Vector(corner(k, 1, 0) - ox, corner(k, 1, 1) - oy, corner(k, 1, 2) - oz);
-        Vector c = new Vector(corner(k, 2, 0) - ox, corner(k, 2, 1) - oy, corner(k, 2, 2) - oz);
-        double ab = side(a, b, way), bc = side(b, c, way), ca = side(c, a, way);
+        double ax = corner(k, 0, 0) - ox, ay = corner(k, 0, 1) - oy, az = corner(k, 0, 2) - oz;
+        double bx = corner(k, 1, 0) - ox, by = corner(k, 1, 1) - oy, bz = corner(k, 1, 2) - oz;
+        double cx = corner(k, 2, 0) - ox, cy = corner(k, 2, 1) - oy, cz = corner(k, 2, 2) - oz;
+        double ab = side(ax, ay, az, bx, by, bz, way), bc = side(bx, by, bz, cx, cy, cz, way);
+        double ca = side(cx, cy, cz, ax, ay, az, way);
         double edges = edges(k);
         double margin = Rounding.edge(
-                originError, directionError, Math.abs(a.x()) + Math.abs(a.y()) + Math.abs(a.z()) + edges, 1);
+                originError, directionError, Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges, 1);
         double bound = edges * margin;
         if (!(ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound)) {
             return Double.NaN;
@@ -174,8 +175,10 @@ final class TriangleArray {
      * seen from the origin, as direction . ((b - a) x (a + b)): the edge is short where the ends are far, so the
      * products are smaller, and round by less. Exchanging a and b changes the sign and nothing else.
      */
-    private static double side(Vector a, Vector b, Vector direction) {
-        Vector edge = b.minus(a), sum = new Vector(a.x() + b.x(), a.y() + b.y(), a.z() + b.z());
-        return direction.dot(edge.cross(sum));
+    private static double side(double ax, double ay, double az, double bx, double by, double bz, Vector direction) {
+        double ex = bx - ax, ey = by - ay, ez = bz - az;
+        double sx = ax + bx, sy = ay + by, sz = az + bz;
+        return direction.x() * (ey * sz - ez * sy) + direction.y() * (ez * sx - ex * sz)
+                + direction.z() * (ex * sy - ey * sx);
     }
 }
