@@ -8,7 +8,8 @@ import raytracer.scene.Scene;
  *
  * @param outputPlace      where the scene names its output, {@code :line:column}; empty if it does not
  * @param isKnownToBeBlack whether the warnings say that the picture will be black
- * @param firstColourless  the line of the first shape that is declared before any ambient or diffuse colour; 0 if none is
+ * @param firstColourless  the line of the first shape that is declared before any ambient or diffuse colour; 0 if
+ * none is
  * @param lastColourless   the line of the last
  */
 public record ParsedScene(Scene scene, List<Diagnostic> warnings, String outputPlace, boolean isKnownToBeBlack,

@@ -10,8 +10,8 @@ import raytracer.tracer.rays.Samples;
 
 /**
  * Spends samples where a pixel is not settled. The first are at the pixels' corners; a pixel of which it is proved that
- * its corners show all there is in it is settled. All others get a closer look; by how much those samples differ decides
- * whether they will do or how many more the pixel gets ({@link SampleBudget}).
+ * its corners show all there is in it is settled. All others get a closer look; by how much those samples differ
+ * decides whether they will do or how many more the pixel gets ({@link SampleBudget}).
  */
 final class AdaptiveSampler implements Sampler {
 

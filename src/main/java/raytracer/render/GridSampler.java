@@ -2,9 +2,9 @@ package raytracer.render;
 
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
-import raytracer.tracer.rays.Samples;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
+import raytracer.tracer.rays.Samples;
 
 /**
  * Every pixel is the mean of n x n samples on a regular grid, each cut to [0, 1] as if it were a pixel's colour: the

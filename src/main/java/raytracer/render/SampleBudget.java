@@ -6,9 +6,9 @@ import java.util.List;
  * How many samples the pixels of a picture get that are not settled, so that the root of the mean square of all pixels'
  * errors is as wanted with the fewest samples in all. It is found from the variances v within some of the pixels.
  *
- * <p>The mean of N even samples of a pixel that an edge crosses is off by about C v^1/2 N^-3/4 (Mitchell, Consequences of
- * Stratified Sampling in Graphics, 1996). The fewest samples for a given sum of such errors' squares are those with N in
- * proportion to v^0.4 (Lagrange).
+ * <p>The mean of N even samples of a pixel that an edge crosses is off by about C v^1/2 N^-3/4 (Mitchell,
+ * Consequences of Stratified Sampling in Graphics, 1996). The fewest samples for a given sum of such errors' squares
+ * are those with N in proportion to v^0.4 (Lagrange).
  *
  * @param closer samples of an unsettled pixel that decide how many it gets
  * @param unseen the variance that so many samples do not see, on average

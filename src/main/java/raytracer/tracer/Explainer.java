@@ -17,8 +17,8 @@ import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
 /**
- * The algorithm for one ray, step by step: what {@link TileTracer} does for many, by the same kernels on a batch of one.
- * Each step says what it found.
+ * The algorithm for one ray, step by step: what {@link TileTracer} does for many, by the same kernels on a batch of
+ * one. Each step says what it found.
  */
 public final class Explainer {
 
@@ -113,7 +113,8 @@ public final class Explainer {
         Hit hit = new Hit(table.declared()[surface], rays.distance[0], origin(),
                 new Vector(rays.nx[0], rays.ny[0], rays.nz[0]), material, asNear);
         End end = depth == maxDepth ? End.MAX_DEPTH : material.specular().isBlack() ? End.NO_MIRROR : End.GOES_ON;
-        return new Step(origin, direction, weight, hit, lights.stream().map(light -> lit(light, material)).toList(), end);
+        List<Lit> lit = lights.stream().map(light -> lit(light, material)).toList();
+        return new Step(origin, direction, weight, hit, lit, end);
     }
 
     private Vector origin() {

@@ -6,13 +6,13 @@ import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.settled.SettledCells;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.settled.SettledCells;
+import raytracer.tracer.surface.Surfaces;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
 final class Shading {

@@ -1,12 +1,12 @@
 package raytracer.tracer;
 
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.rays.Rays;
+import raytracer.tracer.surface.SurfaceTable;
 
 /**
- * Puts a tile's rays in order by the material of what they have hit, so that all of a group arrive and are shaded by the
- * same rules and the same numbers. Most tiles have one or two groups.
+ * Puts a tile's rays in order by the material of what they have hit, so that all of a group arrive and are shaded by
+ * the same rules and the same numbers. Most tiles have one or two groups.
  */
 final class ShadingGroups {
 

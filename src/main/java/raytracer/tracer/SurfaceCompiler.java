@@ -13,10 +13,10 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.primitive.Planes;
-import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.primitive.Spheres;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.primitive.Triangles;
+import raytracer.tracer.surface.SurfaceTable;
+import raytracer.tracer.surface.Surfaces;
 
 /** Sorts a scene's shapes by kind and gives each surface its index: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {

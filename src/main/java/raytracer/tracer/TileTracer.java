@@ -5,9 +5,6 @@ import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.surface.SurfaceTable;
-import raytracer.tracer.settled.SettledCells;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Rays;
@@ -15,6 +12,9 @@ import raytracer.tracer.rays.Samples;
 import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
+import raytracer.tracer.settled.SettledCells;
+import raytracer.tracer.surface.SurfaceTable;
+import raytracer.tracer.surface.Surfaces;
 
 /**
  * Traces tiles, one after the other, for one thread. All of a tile's rays take each step together: they find the
@@ -97,8 +97,8 @@ public final class TileTracer {
     }
 
     /**
-     * Traces the rays through the corners of a rectangle's pixels, one more of each than there are columns and rows, and
-     * sets their colours.
+     * Traces the rays through the corners of a rectangle's pixels, one more of each than there are columns and rows,
+     * and sets their colours.
      *
      * @param tolerance by how much a pixel's colour may be off without more samples, of a range of [0, 1]
      * @return by pixel, row by row: whether it is proved that its corners' mean is its colour

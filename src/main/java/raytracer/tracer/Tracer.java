@@ -9,11 +9,11 @@ import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.lightbuffer.Viewpoints;
+import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Progress;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
-import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.Progress;
 
 /**
  * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size.

@@ -1,6 +1,5 @@
 package raytracer.tracer;
 
-import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.parser.Scenes;
 import raytracer.scene.Scene;

@@ -4,7 +4,8 @@ package raytracer.tracer.bvh;
  * A bounding volume hierarchy with four children a node, and a few oversized primitives, for which a tree is of no
  * use: every ray tries those.
  *
- * <p>Boxes are floats in the tree's own space, in which the primitives fill the cube from -1 to 1. They are conservative: {@link #PADDING} covers every rounding between a primitive and a ray's test of its box.
+ * <p>Boxes are floats in the tree's own space, in which the primitives fill the cube from -1 to 1. They are
+ * conservative: {@link #PADDING} covers every rounding between a primitive and a ray's test of its box.
  *
  * @param order    the primitives: the oversized ones, then those in the order of the leaves
  * @param oversized how many are oversized

@@ -7,8 +7,8 @@ import java.util.concurrent.RecursiveTask;
 
 /**
  * Builds a {@link Bvh} from the top by the surface area heuristic, tried at 16 places along the axis on which the
- * boxes' centres spread most ({@link SahSplitter}). Large parts are built in parallel; the tree does not depend on the number
- * of threads.
+ * boxes' centres spread most ({@link SahSplitter}). Large parts are built in parallel; the tree does not depend on
+ * the number of threads.
  */
 public final class BvhBuilder {
 

@@ -3,8 +3,8 @@ package raytracer.tracer.bvh;
 import java.util.Arrays;
 
 /**
- * Splits ranges of primitives in two by the surface area heuristic: along the axis on which the boxes' centres spread most,
- * at the best of the limits between {@link #BINS} bins (Wald, On fast Construction of SAH-based Bounding Volume
+ * Splits ranges of primitives in two by the surface area heuristic: along the axis on which the boxes' centres spread
+ * most, at the best of the limits between {@link #BINS} bins (Wald, On fast Construction of SAH-based Bounding Volume
  * Hierarchies, 2007). Boxes move together with their primitives, so that every pass reads memory in order. One object
  * serves range after range.
  */
@@ -36,7 +36,10 @@ public final class SahSplitter {
         this.offset = offset;
     }
 
-    /** Brings a range's primitives into the order of their side; returns where the second side starts, inside the range. */
+    /**
+     * Brings a range's primitives into the order of their side; returns where the second side starts, inside the
+     * range.
+     */
     int at(int from, int to) {
         left = new float[6];
         right = new float[6];

@@ -1,8 +1,8 @@
 package raytracer.tracer.bvh;
 
 /**
- * The space of a tree: (world - centre) * scale. Centred, so that a scene far from the origin keeps its digits; scaled by
- * a power of two, so that a scene of another unit gets the same tree.
+ * The space of a tree: (world - centre) * scale. Centred, so that a scene far from the origin keeps its digits;
+ * scaled by a power of two, so that a scene of another unit gets the same tree.
  */
 public record TreeSpace(double centreX, double centreY, double centreZ, double scale) {
 

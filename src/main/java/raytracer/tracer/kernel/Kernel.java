@@ -8,9 +8,9 @@ import java.util.Arrays;
  * what it has unrolled, but unrolls a loop to 60 of its nodes at most, so that a loop of a dozen operations, or of
  * fewer on many arrays, may stay as it is, without a word: with -XX:LoopUnrollLimit=200 it would then be faster.
  *
- * <p>Kernels are objects that know their arrays, and are run by way of {@link #run(Kernel, int, int)}, so that each kind
- * is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times over,
- * and be busy for seconds.
+ * <p>Kernels are objects that know their arrays, and are run by way of {@link #run(Kernel, int, int)}, so that each
+ * kind is compiled once. Were they methods, C2 would copy them into every method on the way there, some several times
+ * over, and be busy for seconds.
  */
 public interface Kernel {
 
@@ -21,7 +21,9 @@ public interface Kernel {
         unknown(kernel, 2).run(from, to);
     }
 
-    /** HotSpot inlines recursion one level deep (-XX:MaxRecursiveInlineLevel), so two levels hide the receiver's type. */
+    /**
+     * HotSpot inlines recursion one level deep (-XX:MaxRecursiveInlineLevel), so two levels hide the receiver's type.
+     */
     private static Kernel unknown(Kernel kernel, int deeper) {
         return deeper > 0 ? unknown(kernel, deeper - 1) : kernel;
     }

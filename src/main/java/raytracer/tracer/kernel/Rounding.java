@@ -144,7 +144,8 @@ public final class Rounding {
      * rounds by 3u of the offset and is off as the ray is at its foot, so the difference is off by 2r times that and
      * 2u r^2. (As far as r and p are alike: where they are not, the sign is beyond doubt.)
      */
-    public static double sphereSquare(double originError, double directionError, double l1Norm, double radius, double along) {
+    public static double sphereSquare(
+            double originError, double directionError, double l1Norm, double radius, double along) {
         double foot = originError + DIAGONAL * directionError * Math.abs(along);
         return 2 * radius * (foot + U * (3 * l1Norm + radius));
     }
@@ -168,8 +169,8 @@ public final class Rounding {
      * @param half  half the chord, the root of r^2 - p^2
      * @param along direction . (origin - centre)
      */
-    public static double sphereDistance(double originError, double directionError, double l1Norm, double radius, double half,
-            double along, double distance) {
+    public static double sphereDistance(double originError, double directionError, double l1Norm, double radius,
+            double half, double along, double distance) {
         double sum = half + Math.abs(along);
         double rounding = (root(sphereSquare(0, 0, l1Norm, radius, along), half) + 3 * U * (l1Norm + sum))
                 * Math.min(1, distance / sum);
@@ -246,8 +247,8 @@ public final class Rounding {
     }
 
     /** {@link #point}, of many; and their normals' errors, which the points' cause on a sphere. */
-    public record SpherePoint(double[] distance, double[] position, double[] slide, double[] radius, double[] originError,
-            double[] normalError) implements Kernel {
+    public record SpherePoint(double[] distance, double[] position, double[] slide, double[] radius,
+            double[] originError, double[] normalError) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {

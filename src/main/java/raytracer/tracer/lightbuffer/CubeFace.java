@@ -1,9 +1,9 @@
 package raytracer.tracer.lightbuffer;
 
 /**
- * A face of the cube of directions around a source, divided into cells. What the source sees is at (u, v): the other two of
- * its coordinates by its depth, which is the coordinate along the face's axis. A directional light has one face, whose
- * places stand for parallels.
+ * A face of the cube of directions around a source, divided into cells. What the source sees is at (u, v): the other
+ * two of its coordinates by its depth, which is the coordinate along the face's axis. A directional light has one
+ * face, whose places stand for parallels.
  */
 public final class CubeFace {
 

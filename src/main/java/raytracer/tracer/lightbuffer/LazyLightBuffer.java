@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.bvh.Bvh;
 
 /**
- * A {@link LightBuffer} that is built when it will spare more walks through the tree than it costs: as many are still to
- * come as samples are, in proportion to those so far. Pixels do not depend on when it is. Threads share it.
+ * A {@link LightBuffer} that is built when it will spare more walks through the tree than it costs: as many are still
+ * to come as samples are, in proportion to those so far. Pixels do not depend on when it is. Threads share it.
  */
 public final class LazyLightBuffer {
 

@@ -6,11 +6,11 @@ import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.rays.Rays;
 
 /**
- * The primitives of a {@link Bvh} by the direction in which a source sees them: whatever may be in a shadow ray's way is in
- * the one cell in which the source sees where the ray starts (Haines and Greenberg, The Light Buffer: A Shadow-Testing
- * Accelerator, 1986). If the source is the eye, what is ahead of a ray from there is in one cell (Weghorst, Hooper and
- * Greenberg, Improved Computational Methods for Ray Tracing, 1984). Trying those takes half of the time of a walk
- * through the tree, or less.
+ * The primitives of a {@link Bvh} by the direction in which a source sees them: whatever may be in a shadow ray's way
+ * is in the one cell in which the source sees where the ray starts (Haines and Greenberg, The Light Buffer: A
+ * Shadow-Testing Accelerator, 1986). If the source is the eye, what is ahead of a ray from there is in one cell
+ * (Weghorst, Hooper and Greenberg, Improved Computational Methods for Ray Tracing, 1984). Trying those takes half of
+ * the time of a walk through the tree, or less.
  *
  * <p>Everything is in the tree's space and in double, of points not too far away, so that errors
  * are far below the boxes' padding; primitives are taken for larger by as much.
@@ -27,7 +27,10 @@ public final class LightBuffer {
     /** By cell, where its entries begin; they end where the next one's begin. */
     private final int[] start;
 
-    /** Primitives, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of it. */
+    /**
+     * Primitives, in the tree's numbers, each below the {@link #key} of its nearest point; a cell's are in order of
+     * it.
+     */
     private final long[] entries;
 
     LightBuffer(Bvh bvh, double[] source, CubeFace[] faces, int[] start, long[] entries) {

@@ -32,7 +32,10 @@ public final class LightBufferBuilder {
     private final int count;
     private final ProjectedOutline outline = new ProjectedOutline();
 
-    /** By primitive and face: the primitive, the key of its least depth, in how many cells it is seen there, and in which. */
+    /**
+     * By primitive and face: the primitive, the key of its least depth, in how many cells it is seen there, and in
+     * which.
+     */
     private final IntQueue sightings = new IntQueue();
 
     /** By cell: how many primitives are there; then where the next entry goes. */

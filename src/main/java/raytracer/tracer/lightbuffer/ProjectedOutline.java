@@ -3,7 +3,10 @@ package raytracer.tracer.lightbuffer;
 import java.util.Arrays;
 import raytracer.tracer.bvh.Bvh;
 
-/** How a primitive is seen on a {@link CubeFace}: a triangle, or a box around something round. Serves primitive after primitive. */
+/**
+ * How a primitive is seen on a {@link CubeFace}: a triangle, or a box around something round. Serves primitive after
+ * primitive.
+ */
 public final class ProjectedOutline {
 
     // The triangle, as seen from the source.

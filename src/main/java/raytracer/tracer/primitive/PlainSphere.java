@@ -6,7 +6,9 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Workspace;
 
-/** Hits and misses of a sphere that are certain in plain doubles; the rest goes to the robust test of {@link Spheres}. */
+/**
+ * Hits and misses of a sphere that are certain in plain doubles; the rest goes to the robust test of {@link Spheres}.
+ */
 public final class PlainSphere {
 
     // A ray is clear of a sphere if its perpendicular's square exceeds r^2 by this part of it, and the ray's origin is

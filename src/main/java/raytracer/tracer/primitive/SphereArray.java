@@ -4,7 +4,9 @@ import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 
-/** Spheres in one array: a sphere's centre and radius are {@link #STRIDE} numbers in a row, which a cache line holds. */
+/**
+ * Spheres in one array: a sphere's centre and radius are {@link #STRIDE} numbers in a row, which a cache line holds.
+ */
 record SphereArray(double[] numbers) {
 
     static final int STRIDE = 4;

@@ -171,7 +171,8 @@ public final class Spheres extends BoundedSurfaces {
     private void passBy(Rays rays, Vectors d, int from, int to, int k, Workspace workspace) {
         double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
         Kernel.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
-        Kernel.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square), from, to);
+        Kernel.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square),
+                from, to);
     }
 
     private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {

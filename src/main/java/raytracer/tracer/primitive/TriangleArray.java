@@ -2,8 +2,8 @@ package raytracer.tracer.primitive;
 
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
-import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.Bounds;
+import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.Rays;
@@ -139,7 +139,8 @@ final class TriangleArray {
         if (!(ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound)) {
             return Double.NaN;
         }
-        // The sides' sum is the same for all rays that pass within: where it is large, to be on an edge is to be inside.
+        // The sides' sum is the same for all rays that pass within: where it is large, to be on an edge is to be
+        // inside.
         boolean isInBox = Math.abs(ab + bc + ca) > bound / IN_BOX
                 || ab > bound && bc > bound && ca > bound || ab < -bound && bc < -bound && ca < -bound;
         return isInBox ? t : inBox(rays, d, i, k, margin, t);

@@ -71,13 +71,15 @@ public final class Triangles extends BoundedSurfaces {
         if (rays.source[i] == surface(k)) {
             return Double.NaN;
         }
-        double ax = data.corner(k, 0, 0) - rays.ox[i], ay = data.corner(k, 0, 1) - rays.oy[i], az = data.corner(k, 0, 2) - rays.oz[i];
+        double ax = data.corner(k, 0, 0) - rays.ox[i], ay = data.corner(k, 0, 1) - rays.oy[i];
+        double az = data.corner(k, 0, 2) - rays.oz[i];
         double nx = data.nx(k), ny = data.ny(k), nz = data.nz(k);
         double offset = ax * nx + ay * ny + az * nz;
         double cosine = rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz;
         double t = offset / cosine;
         double limit = rays.maxDistance(i);
-        if (!(t > 0) || t > limit && (Math.abs(cosine) > TriangleArray.GRAZING || isBeyond(rays, i, ax, ay, az, t - limit, cosine))
+        if (!(t > 0) || t > limit && (Math.abs(cosine) > TriangleArray.GRAZING
+                        || isBeyond(rays, i, ax, ay, az, t - limit, cosine))
                 || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])) {
             return Double.NaN;
         }
@@ -161,8 +163,8 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     /**
-     * Computes for all rays the least product of two edges' sides, in {@link Workspace#minProduct}: negative where a ray
-     * passes edges on different sides. The sides are those of {@link #within}, but from the rays' moments about
+     * Computes for all rays the least product of two edges' sides, in {@link Workspace#minProduct}: negative where a
+     * ray passes edges on different sides. The sides are those of {@link #within}, but from the rays' moments about
      * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
      * digits, and is only a first sieve.
      *
@@ -175,7 +177,8 @@ public final class Triangles extends BoundedSurfaces {
         sides(k, 2, d, from, to, workspace);
         Kernel.run(new MinProduct(ab, bc, ca, workspace.minProduct), from, to);
         double edges = data.difference(k, 0, 1) + data.difference(k, 0, 2);
-        double l1Norm = Math.abs(data.corner(k, 0, 0)) + Math.abs(data.corner(k, 0, 1)) + Math.abs(data.corner(k, 0, 2)) + edges
+        double l1Norm = Math.abs(data.corner(k, 0, 0)) + Math.abs(data.corner(k, 0, 1))
+                + Math.abs(data.corner(k, 0, 2)) + edges
                 + workspace.farthest;
         double max = 4 * edges * l1Norm;
         return -max * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, l1Norm, edges);
@@ -216,7 +219,8 @@ public final class Triangles extends BoundedSurfaces {
         if (rays.hit[i] == surface(k)) {
             return false;
         }
-        double x = data.corner(k, 0, 0) - rays.ox[i], y = data.corner(k, 0, 1) - rays.oy[i], z = data.corner(k, 0, 2) - rays.oz[i];
+        double x = data.corner(k, 0, 0) - rays.ox[i], y = data.corner(k, 0, 1) - rays.oy[i];
+        double z = data.corner(k, 0, 2) - rays.oz[i];
         double nx = data.nx(k), ny = data.ny(k), nz = data.nz(k);
         double offset = x * nx + y * ny + z * nz;
         double cosine = shadows.dx[i] * nx + shadows.dy[i] * ny + shadows.dz[i] * nz;
@@ -234,7 +238,8 @@ public final class Triangles extends BoundedSurfaces {
         if (light.directional()) {
             return true;
         }
-        double x = data.corner(k, 0, 0) - light.x(), y = data.corner(k, 0, 1) - light.y(), z = data.corner(k, 0, 2) - light.z();
+        double x = data.corner(k, 0, 0) - light.x(), y = data.corner(k, 0, 1) - light.y();
+        double z = data.corner(k, 0, 2) - light.z();
         double lightOffset = x * data.nx(k) + y * data.ny(k) + z * data.nz(k);
         double bound = Rounding.planeOffset(light.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lightOffset < -bound : lightOffset > bound;

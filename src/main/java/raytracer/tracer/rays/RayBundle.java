@@ -5,8 +5,8 @@ import raytracer.tracer.kernel.Vectors;
 
 /**
  * All rays through a part of the picture, or from a part of a surface to a light: four of them are its corners, and a
- * box of origins, a box of directions and a cone hold the others. A part of the picture is seen from one point, and what
- * a corner ray and its neighbour have on one side, the rays between them have too.
+ * box of origins, a box of directions and a cone hold the others. A part of the picture is seen from one point, and
+ * what a corner ray and its neighbour have on one side, the rays between them have too.
  */
 public final class RayBundle {
 
@@ -18,7 +18,10 @@ public final class RayBundle {
      */
     private static final double MARGIN = 1 / 16.0;
 
-    /** Of a distance to a surface: a point within it counts as being on the surface's tangent plane, as rounding leaves it. */
+    /**
+     * Of a distance to a surface: a point within it counts as being on the surface's tangent plane, as rounding
+     * leaves it.
+     */
     private static final double ON_PLANE = 0x1p-36;
 
     // By axis.
@@ -122,7 +125,10 @@ public final class RayBundle {
         max[side] += margin;
     }
 
-    /** Whether it is certain that no ray hits the points within a radius of a triangle, or only behind its own surface. */
+    /**
+     * Whether it is certain that no ray hits the points within a radius of a triangle, or only behind its own
+     * surface.
+     */
     public boolean isClearOf(Vector a, Vector b, Vector c, double radius) {
         return isBehind(a, radius) && isBehind(b, radius) && isBehind(c, radius)
                 || (radius > 0 ? isClearOfSphere(a, radius) : isClearOfTriangle(a, b, c));

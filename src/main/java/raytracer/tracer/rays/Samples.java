@@ -36,7 +36,9 @@ public final class Samples {
         }
     }
 
-    /** Takes the corners of a rectangle's pixels, row by row, in place of all points: one more than columns, and rows. */
+    /**
+     * Takes the corners of a rectangle's pixels, row by row, in place of all points: one more than columns, and rows.
+     */
     public void setCorners(int left, int top, int columns, int rows) {
         setCentres(left, top, columns + 1, rows + 1);
         for (int i = 0; i < count; i++) {

@@ -4,12 +4,12 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.LightBuffer;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.UnboundedSurfaces;
-import raytracer.tracer.rays.Rays;
-import raytracer.tracer.rays.ShadowRays;
 
 /** Occludes the shadow rays that surfaces of one kind block. */
 public final class AnyHit extends Search {

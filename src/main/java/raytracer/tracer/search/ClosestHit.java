@@ -3,14 +3,17 @@ package raytracer.tracer.search;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.lightbuffer.LazyLightBuffer;
 import raytracer.tracer.lightbuffer.LightBuffer;
+import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.UnboundedSurfaces;
-import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.Rays;
 
-/** Records the closest hit of each of a batch's rays with surfaces of one kind. Those from the eye have a light buffer. */
+/**
+ * Records the closest hit of each of a batch's rays with surfaces of one kind. Those from the eye have a light
+ * buffer.
+ */
 public final class ClosestHit extends Search {
 
     private final LazyLightBuffer ofEye;
@@ -71,7 +74,8 @@ public final class ClosestHit extends Search {
 
     @Override
     void setDirection(SieveLine line, int i) {
-        line.setDirection(rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i] * bvh.space().scale(), rays.directionError[i]);
+        line.setDirection(rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i] * bvh.space().scale(),
+                rays.directionError[i]);
     }
 
     @Override

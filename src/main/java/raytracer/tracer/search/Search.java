@@ -5,9 +5,9 @@ import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.lightbuffer.LightBuffer;
+import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
-import raytracer.tracer.rays.Rays;
 
 /**
  * Finds what a batch of rays may hit among surfaces of one kind, and has it tried. If the rays' {@link Beam} finds few

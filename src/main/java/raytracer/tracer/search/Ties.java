@@ -3,10 +3,10 @@ package raytracer.tracer.search;
 import java.util.Arrays;
 import java.util.List;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.surface.Surfaces;
-import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.Rays;
+import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /**
  * Decides what a ray hits where rounding cannot tell the distances of several surfaces apart: with e a bound on the

@@ -7,8 +7,8 @@ import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Vectors;
 
 /**
- * Where a highlight is as smooth in a cell as its corners make believe. It is the cosine of the angle between normal and
- * half vector to a power s; by the chord c between the two, about exp(-s c^2 / 2).
+ * Where a highlight is as smooth in a cell as its corners make believe. It is the cosine of the angle between normal
+ * and half vector to a power s; by the chord c between the two, about exp(-s c^2 / 2).
  */
 final class Highlight {
 

@@ -27,7 +27,10 @@ final class Lattice {
         Arrays.fill(settled, true);
     }
 
-    /** Tries to prove a claim of all cells: where that fails of a rectangle, its halves are tried, down to single cells. */
+    /**
+     * Tries to prove a claim of all cells: where that fails of a rectangle, its halves are tried, down to single
+     * cells.
+     */
     void prove(Claim claim) {
         prove(claim, 0, 0, columns - 1, rows - 1);
     }

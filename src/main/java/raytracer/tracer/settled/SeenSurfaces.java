@@ -50,8 +50,8 @@ final class SeenSurfaces {
     }
 
     /**
-     * Whether they leave no gap in a bundle that hits nothing else: they are unbounded, or triangles of which each edge in
-     * the cell belongs to two.
+     * Whether they leave no gap in a bundle that hits nothing else: they are unbounded, or triangles of which each
+     * edge in the cell belongs to two.
      */
     boolean cover(RayBundle bundle) {
         boolean isUnbounded = true;

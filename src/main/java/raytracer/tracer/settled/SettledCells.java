@@ -2,7 +2,6 @@ package raytracer.tracer.settled;
 
 import java.util.Arrays;
 import java.util.List;
-import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Batch;
@@ -18,10 +17,11 @@ import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.UnboundedSurfaces;
 
 /**
- * Proves of the cells of a lattice of samples that there is nothing in them but what their corners show: no other surface
- * in front, no edge of a shadow, and so on along mirrors, as far as their light can change a pixel (Genetti, Gordon and
- * Williams, Adaptive Supersampling in Object Space Using Pyramidal Rays, 1998). It watches a batch being traced. What is
- * proved of a rectangle of cells is proved of each; where that fails, its halves are tried, down to single cells.
+ * Proves of the cells of a lattice of samples that there is nothing in them but what their corners show: no other
+ * surface in front, no edge of a shadow, and so on along mirrors, as far as their light can change a pixel (Genetti,
+ * Gordon and Williams, Adaptive Supersampling in Object Space Using Pyramidal Rays, 1998). It watches a batch being
+ * traced. What is proved of a rectangle of cells is proved of each; where that fails, its halves are tried, down to
+ * single cells.
  */
 public final class SettledCells {
 

@@ -49,9 +49,9 @@ public final class SieveLine {
         momentX = (float) (y * dz - z * dy);
         momentY = (float) (z * dx - x * dz);
         momentZ = (float) (x * dy - y * dx);
-        // The robust test takes what is within the bound by what it has computed, which is off by as much (twice the side for
-        // edges up to twice as long as the bound here); and a walk moves the origin, by which a side is off by less
-        // than another two such bounds.
+        // The robust test takes what is within the bound by what it has computed, which is off by as much (twice the
+        // side for edges up to twice as long as the bound here); and a walk moves the origin, by which a side is off
+        // by less than another two such bounds.
         tolerance = (float) (ROUNDING + 4 * Rounding.edge(originError, directionError, l1Norm, 1));
     }
 }
