@@ -44,6 +44,15 @@ public final class Canvas implements PixelSink {
         return Math.sqrt(sum / values.length);
     }
 
+    /** The greatest difference of a component from a picture of the same size. */
+    public double maxDifference(Canvas other) {
+        double max = 0;
+        for (int i = 0; i < values.length; i++) {
+            max = Math.max(max, Math.abs(values[i] - (double) other.values[i]));
+        }
+        return max;
+    }
+
     /** The mean of two pictures of the same size. */
     public static Canvas mean(Canvas a, Canvas b) {
         Canvas mean = new Canvas(a.width, a.values.length / COMPONENTS / a.width);
