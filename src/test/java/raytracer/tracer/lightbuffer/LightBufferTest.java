@@ -308,14 +308,14 @@ public class LightBufferTest {
         List<Surfaces> with = surfaces(spheres, mesh, viewpoints(lamp)), without = surfaces(spheres, mesh, NONE);
         int blocked = 0;
         SearchWorkspace space = new SearchWorkspace();
-        for (int tile = 0; tile < 3000; tile++) {
+        for (int tile = 0; tile < 600; tile++) {
             Rays rays = start(random, with);
             ShadowRays a = blocked(rays, with.get(tile % 2), lamp, space);
             ShadowRays b = blocked(rays, without.get(tile % 2), lamp, space);
             assertTrue(Arrays.equals(a.unoccluded, b.unoccluded), "tile " + tile);
             blocked += IntStream.range(0, Batch.CAPACITY).map(i -> a.unoccluded[i] ? 0 : 1).sum();
         }
-        assertTrue(blocked > 50_000 && blocked < 2900 * Batch.CAPACITY, blocked + " blocked");
+        assertTrue(blocked > 10_000 && blocked < 590 * Batch.CAPACITY, blocked + " blocked");
         with.forEach(kind -> assertNotNull(((BoundedSurfaces) kind).lightBuffer(lamp).ifBuilt(), "it was built"));
     }
 
@@ -329,7 +329,7 @@ public class LightBufferTest {
         Spheres with = new Spheres(inOrder(bvh, spheres), 0, bvh, viewpoints(lamp));
         Spheres without = new Spheres(inOrder(bvh, spheres), 0, bvh, NONE);
         SearchWorkspace space = new SearchWorkspace();
-        for (int tile = 0; tile < 1100; tile++) {
+        for (int tile = 0; tile < 200; tile++) {
             blocked(start(random, List.of(with)), with, lamp, space);
         }
         int blocked = 0;
