@@ -36,6 +36,11 @@ final class Rendering {
         this.terminal = terminal;
         region = options.region(scene.width(), scene.height());
         sampling = options.sampling();
+        int side = Math.max(scene.width(), scene.height());
+        if (sampling instanceof Sampling.Grid grid && (long) grid.n() * side > Integer.MAX_VALUE) {
+            throw new UsageException("expected --samples N to be at most " + Integer.MAX_VALUE / side
+                    + " for a picture of " + scene.width() + "x" + scene.height() + ", found " + grid.n());
+        }
     }
 
     /** Returns the exit status. */

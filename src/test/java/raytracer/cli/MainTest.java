@@ -174,6 +174,7 @@ class MainTest extends CommandLine {
         "--threads -2, expected --threads to be a whole number from 1",
         "--threads 9999999999, expected --threads to be a whole number from 1",
         "--repeat many, expected --repeat to be a whole number from 1",
+        "--samples 64 --size 100000000x1, expected --samples N to be at most 21 for a picture of 100000000x1",
         "--quiet=yes, --quiet takes no value",
         "--frobnicate, unknown option '--frobnicate'",
         "-x, unknown option '-x'",
