@@ -10,12 +10,11 @@ import raytracer.tracer.lightbuffer.Frustum;
 import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.rays.Samples;
 
 /** The rays of a scene's camera. */
 final class Pinhole {
 
-    /** By how many half pixels rays go beside the picture, at most: {@link Samples} may by a pixel, and one more. */
+    /** In half pixels: a margin beside the picture, on whose edge the corners of pixels are. */
     private static final int RIM = 4;
 
     private final Camera camera;

@@ -14,8 +14,7 @@ public final class Samples {
 
     public int count;
 
-    // In pixels, from the left and from the top: a pixel's centre is half a pixel from its sides. Points may be beside
-    // the picture, by a pixel.
+    // In pixels, from the left and from the top: a pixel's centre is half a pixel from its sides.
     public final double[] x = new double[CAPACITY];
     public final double[] y = new double[CAPACITY];
 
