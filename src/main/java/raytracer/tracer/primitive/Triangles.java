@@ -171,30 +171,26 @@ public final class Triangles extends BoundedSurfaces {
      * @return rays are clear of the triangle if they have less than this
      */
     private double passBy(Vectors d, int from, int to, int k, Workspace workspace) {
+        Vector a = data.corner(k, 0), b = data.corner(k, 1), c = data.corner(k, 2);
         double[] ab = workspace.sides.x(), bc = workspace.sides.y(), ca = workspace.sides.z();
-        sides(k, 0, d, from, to, workspace);
-        sides(k, 1, d, from, to, workspace);
-        sides(k, 2, d, from, to, workspace);
+        Vectors m = workspace.moment;
+        sides(a, b, d, m, ab, from, to);
+        sides(b, c, d, m, bc, from, to);
+        sides(c, a, d, m, ca, from, to);
         Kernel.run(new MinProduct(ab, bc, ca, workspace.minProduct), from, to);
-        double edges = data.difference(k, 0, 1) + data.difference(k, 0, 2);
-        double l1Norm = Math.abs(data.corner(k, 0, 0)) + Math.abs(data.corner(k, 0, 1))
-                + Math.abs(data.corner(k, 0, 2)) + edges
-                + workspace.farthest;
+        double edges = data.edges(k);
+        double l1Norm = Math.abs(a.x()) + Math.abs(a.y()) + Math.abs(a.z()) + edges + workspace.farthest;
         double max = 4 * edges * l1Norm;
         return -max * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, l1Norm, edges);
     }
 
-    /** By ray, the side of the edge e from a corner to the next, of sum s: d . (e x s) - 2 e . m. */
-    private void sides(int k, int a, Vectors d, int from, int to, Workspace workspace) {
-        double[] out = a == 0 ? workspace.sides.x() : a == 1 ? workspace.sides.y() : workspace.sides.z();
-        int b = (a + 1) % 3;
-        double ax = data.corner(k, a, 0), ay = data.corner(k, a, 1), az = data.corner(k, a, 2);
-        double bx = data.corner(k, b, 0), by = data.corner(k, b, 1), bz = data.corner(k, b, 2);
-        double ex = bx - ax, ey = by - ay, ez = bz - az;
-        double sx = ax + bx, sy = ay + by, sz = az + bz;
+    /** By ray, the side of the edge e from a to b, of sum s: d . (e x s) - 2 e . m. */
+    private static void sides(Vector a, Vector b, Vectors d, Vectors m, double[] out, int from, int to) {
+        double ex = b.x() - a.x(), ey = b.y() - a.y(), ez = b.z() - a.z();
+        double sx = a.x() + b.x(), sy = a.y() + b.y(), sz = a.z() + b.z();
         // In one loop it would be too much for C2 to vectorise, see Kernel.
         Kernel.run(new Kernel.DotWith(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, d, out), from, to);
-        Kernel.run(new Kernel.AddDotWith(-2 * ex, -2 * ey, -2 * ez, workspace.moment, out), from, to);
+        Kernel.run(new Kernel.AddDotWith(-2 * ex, -2 * ey, -2 * ez, m, out), from, to);
     }
 
     /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */
