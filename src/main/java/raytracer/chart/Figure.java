@@ -5,17 +5,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** Panels in a grid under a heading, as an SVG file that is legible on white and on black. */
 public final class Figure {
 
     private static final int HEAD = 44;
-    private static final int FOOT = 22;
+    private static final int FOOT = 40;
+    private static final int MARGIN = 14;
+    private static final int FONT_SIZE = 16;
+    private static final int SMALL = 10;
 
     private static final String STYLE = """
             <style>
             text { font-family: Helvetica, Arial, sans-serif; font-size: 11px; fill: #222; stroke: none; }
-            .heading { font-size: 16px; font-weight: bold; }
+            .heading { font-weight: bold; }
             .title { font-size: 12px; font-weight: bold; }
             .foot, .note { font-size: 10px; fill: #666; }
             .label { font-weight: bold; paint-order: stroke; }
@@ -23,6 +27,8 @@ public final class Figure {
             .grid { stroke: #ddd; fill: none; }
             .band { fill: #2a9d4a; fill-opacity: .13; stroke: none; }
             .front { stroke: #888; fill: none; stroke-dasharray: 5 3; }
+            .limit { stroke: #2a9d4a; fill: none; }
+            .leader { stroke: #aaa; fill: none; stroke-width: .8; }
             .curve { stroke: #888; fill: none; stroke-width: 1.5; }
             .quartiles { stroke-width: 2; fill: none; }
             .s0 { fill: #c0392b; stroke: #c0392b; } .s1 { fill: #b9770e; stroke: #b9770e; }
@@ -51,6 +57,8 @@ public final class Figure {
     private final int width;
     private final int height;
     private final List<Panel> panels = new ArrayList<>();
+    private final StringBuilder legend = new StringBuilder();
+    private double legendEnd = MARGIN;
 
     /** @param width and height of one panel */
     public Figure(String heading, String foot, int columns, int width, int height) {
@@ -65,6 +73,27 @@ public final class Figure {
         panels.add(panel);
     }
 
+    /** Says what dots of a colour are. */
+    public void explain(int series, String meaning) {
+        mark("<circle class='s" + series + "' cx='%.0f' cy='-4' r='4'/>", meaning);
+    }
+
+    /** Says what the bars beside dots are, and the dashed line. */
+    public void explain(String bars, String dashes) {
+        if (bars != null) {
+            mark("<path class='quartiles s2' d='M%.0f -4 h12'/>", bars);
+        }
+        if (dashes != null) {
+            mark("<path class='front' d='M%.0f -4 h12'/>", dashes);
+        }
+    }
+
+    private void mark(String symbol, String meaning) {
+        legend.append(String.format(Locale.ROOT, symbol, legendEnd + 6)).append(String.format(Locale.ROOT,
+                "<text class='note' x='%.0f' y='0'>%s</text>\n", legendEnd + 22, meaning));
+        legendEnd += 36 + .6 * SMALL * meaning.length();
+    }
+
     /** The text of the SVG file. */
     public String svg() {
         int rows = (panels.size() + columns - 1) / columns;
@@ -72,12 +101,15 @@ public final class Figure {
         String size = "width='" + w + "' height='" + h + "'";
         StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h
                 + "' " + size + ">\n" + STYLE + "<rect class='page' " + size + "/>\n"
-                + "<text class='heading' x='14' y='27'>" + heading + "</text>\n");
+                + "<text class='heading' x='" + MARGIN + "' y='27' style='font-size:"
+                + Math.min(FONT_SIZE, (int) ((w - 2 * MARGIN) / (Labels.WIDTH * heading.length()))) + "px'>" + heading
+                + "</text>\n");
         for (int i = 0; i < panels.size(); i++) {
             svg.append("<g transform='translate(").append(i % columns * width).append(' ')
                     .append(HEAD + i / columns * height).append(")'>\n").append(panels.get(i).svg(width, height))
                     .append("</g>\n");
         }
+        svg.append("<g transform='translate(0 ").append(h - 24).append(")'>\n").append(legend).append("</g>\n");
         svg.append("<text class='foot' x='14' y='").append(h - 8).append("'>").append(foot).append("</text>\n</svg>\n");
         return svg.toString();
     }

@@ -5,15 +5,23 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes), and a
- * band at the foot for results that cannot be told from none.
+ * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes: none on it
+ * is beaten on both), and a band at the foot for results that cannot be told from none.
  */
 public final class Panel {
 
     private static final int LEFT = 62;
     private static final int TOP = 34;
     private static final int BOTTOM = 46;
-    private static final int RIGHT = 14;
+    private static final int RIGHT = 22;
+
+    /** Ticks of the x and y axis that are nearer to one another than this are not both named. */
+    private static final int TICK_WIDTH = 34;
+    private static final int TICK_HEIGHT = 13;
+
+    /** A note's font and the distance to the next one. */
+    private static final int SMALL = 10;
+    private static final int LINE = 12;
 
     /** @param low and high the quartiles of x */
     private record Point(String label, int series, double x, double low, double high, double y) { }
@@ -30,6 +38,7 @@ public final class Panel {
     private final List<Point> points = new ArrayList<>();
     private final List<Curve> curves = new ArrayList<>();
     private final List<Line> lines = new ArrayList<>();
+    private final List<String> notes = new ArrayList<>();
     private boolean besideX;
     private boolean front = true;
 
@@ -56,6 +65,11 @@ public final class Panel {
         lines.add(new Line(y, label));
     }
 
+    /** Says something that no point can: what gave no answer. */
+    public void note(String note) {
+        notes.add(note);
+    }
+
     /** Draws no Pareto front: for points that are not choices. */
     public Panel withoutFront() {
         front = false;
@@ -78,115 +92,111 @@ public final class Panel {
     private final class Drawing {
         private final int width;
         private final int height;
-        private final double x0;
-        private final double x1;
-        private final double y0;
-        private final double y1;
+        private final Axis xAxis;
+        private final Axis yAxis;
+        private final Labels labels;
         private final StringBuilder out = new StringBuilder();
-        private final List<double[]> taken = new ArrayList<>();
 
         Drawing(int width, int height) {
             this.width = width;
             this.height = height;
-            double[] x = range(besideX ? limit : 0, true), y = range(limit, false);
-            x0 = x[0];
-            x1 = x[1];
-            y0 = y[0];
-            y1 = y[1];
+            xAxis = Axis.around(values(true), besideX ? limit : 0);
+            yAxis = Axis.around(values(false), limit);
+            labels = new Labels(new Labels.Box(LEFT + 2, TOP, width - 2, height - BOTTOM - 2));
         }
 
-        /** Whole decades around the values; the band takes one more at the foot. */
-        private double[] range(double band, boolean horizontal) {
-            double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
+        private List<Double> values(boolean horizontal) {
             List<Double> values = new ArrayList<>();
-            points.forEach(p -> values.add(horizontal ? p.x : p.y));
+            points.forEach(p -> values.addAll(horizontal ? List.of(p.x, p.low, p.high) : List.of(p.y)));
             curves.forEach(c -> c.points.forEach(p -> values.add(p[horizontal ? 0 : 1])));
-            for (double v : values) {
-                if (v > 0) {
-                    low = Math.min(low, v);
-                    high = Math.max(high, v);
-                }
+            if (!horizontal) {
+                lines.forEach(line -> values.add(line.y));
             }
-            if (band > 0) {
-                low = Math.min(low, band);
-                high = Math.max(high, 10 * band);
-            }
-            double first = Math.floor(Math.log10(low) - .001), last = Math.ceil(Math.log10(high) + .05);
-            double foot = band > 0 ? Math.min(first, Math.floor(Math.log10(band) - .3)) : first;
-            return new double[] {foot, Math.max(last, first + 1)};
+            return values;
         }
 
         private double px(double x) {
-            double v = besideX && x == 0 ? x0 + .25 : Math.log10(x);
-            return LEFT + (v - x0) / (x1 - x0) * (width - LEFT - RIGHT);
+            return LEFT + xAxis.at(x) * (width - LEFT - RIGHT);
         }
 
         private double py(double y) {
-            double v = y == 0 ? y0 + .25 : Math.log10(y);
-            return height - BOTTOM - (v - y0) / (y1 - y0) * (height - TOP - BOTTOM);
+            return height - BOTTOM - yAxis.at(y) * (height - TOP - BOTTOM);
         }
 
         String draw() {
             text(LEFT, 18, "title", "start", title);
-            axes();
+            bands();
+            ticks();
             text((LEFT + width - RIGHT) / 2.0, height - 8, "axis", "middle", xLabel);
             line("<text class='axis' text-anchor='middle' transform='translate(13 %.1f) rotate(-90)'>%s</text>",
                     (TOP + height - BOTTOM) / 2.0, yLabel);
-            lines.forEach(this::draw);
             curves.forEach(this::draw);
             if (front) {
                 front();
             }
             points.forEach(this::draw);
-            points.forEach(this::label);
+            lines.forEach(line -> draw(line));
+            if (limit > 0) {
+                note(limitLabel, py(limit) + 11);
+            }
+            for (int i = 0; i < notes.size(); i++) {
+                note(notes.get(i), TOP + LINE * (i + 1));
+            }
+            points.stream().filter(p -> !p.label.isEmpty()).forEach(this::label);
             return out.toString();
         }
 
-        private void axes() {
+        private void bands() {
             if (limit > 0) {
                 double top = py(limit);
                 line("<rect class='band' x='%d' y='%.1f' width='%d' height='%.1f'/>", LEFT, top, width - LEFT - RIGHT,
                         height - BOTTOM - top);
-                text(width - RIGHT - 4, top + 11, "note", "end", limitLabel);
                 if (besideX) {
                     line("<rect class='band' x='%d' y='%d' width='%.1f' height='%d'/>", LEFT, TOP,
                             px(limit) - LEFT, height - TOP - BOTTOM);
                 }
             }
-            for (int e = (int) Math.ceil(x0); e < x1 + .001; e++) {
-                double x = px(Math.pow(10, e));
-                if (x0 < e) {
-                    line("<path class='grid' d='M%.1f %d V%d'/>", x, TOP, height - BOTTOM);
-                    text(x, height - BOTTOM + 14, "tick", "middle", power(e));
-                }
-                if (x1 - x0 <= 1 && e < x1) {
-                    for (int step : new int[] {2, 5}) {
-                        double value = step * Math.pow(10, e);
-                        line("<path class='grid' d='M%.1f %d V%d'/>", px(value), TOP, height - BOTTOM);
-                        text(px(value), height - BOTTOM + 14, "tick", "middle", number(value).replace(".0", ""));
-                    }
+        }
+
+        private void ticks() {
+            List<Double> named = new ArrayList<>();
+            for (double tick : xAxis.ticks()) {
+                double x = px(tick);
+                line("<path class='grid' d='M%.1f %d V%d'/>", x, TOP, height - BOTTOM);
+                if (named.stream().allMatch(other -> Math.abs(other - x) >= TICK_WIDTH)) {
+                    named.add(x);
+                    text(x, height - BOTTOM + 14, "tick", "middle", Axis.name(tick));
                 }
             }
-            int step = y1 - y0 > 9 ? 2 : 1;
-            for (int e = (int) Math.ceil(y0); e <= y1; e += step) {
-                if (limit == 0 || y0 < e) {
-                    double y = py(Math.pow(10, e));
-                    line("<path class='grid' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
-                    text(LEFT - 5, y + 4, "tick", "end", power(e));
+            named.clear();
+            for (double tick : yAxis.ticks()) {
+                double y = py(tick);
+                line("<path class='grid' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
+                if (named.stream().allMatch(other -> Math.abs(other - y) >= TICK_HEIGHT)) {
+                    named.add(y);
+                    text(LEFT - 5, y + 4, "tick", "end", Axis.name(tick));
                 }
             }
             line("<path class='frame' d='M%d %d V%d H%d'/>", LEFT, TOP, height - BOTTOM, width - RIGHT);
         }
 
-        private static String power(int e) {
-            return e == 0 ? "1" : e == 1 ? "10" : e == 2 ? "100" : e == 3 ? "1000"
-                    : "10<tspan dy='-5' font-size='8'>" + e + "</tspan>";
-        }
-
         private void draw(Line at) {
             double y = py(at.y);
-            line("<path class='front' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
-            text(width - RIGHT - 4, y - 4, "note", "end", at.label);
+            line("<path class='limit' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
+            note(at.label, y - 4);
+        }
+
+        /** At the right end, or the left one if something is there; or one of those farther down. */
+        private void note(String note, double baseline) {
+            double length = Labels.WIDTH * SMALL * note.length();
+            for (double y = baseline; y < height - BOTTOM; y += LINE) {
+                for (double x : new double[] {width - RIGHT - 4 - length, LEFT + 4}) {
+                    if (labels.takeIfFree(Labels.Box.of(x, y, note.length(), SMALL))) {
+                        text(x, y, "note", "start", note);
+                        return;
+                    }
+                }
+            }
         }
 
         private void draw(Curve curve) {
@@ -197,7 +207,7 @@ public final class Panel {
             line("<path class='curve' d='%s'/>", path);
         }
 
-        /** The points that no other beats on both axes, joined by steps. */
+        /** The points that no other beats on both axes, joined by steps; it ends at the best. */
         private void front() {
             StringBuilder path = new StringBuilder();
             double best = Double.POSITIVE_INFINITY;
@@ -213,7 +223,7 @@ public final class Panel {
                     best = y;
                 }
             }
-            line("<path class='front' d='%sH%d'/>", path, width - RIGHT);
+            line("<path class='front' d='%s'/>", path);
         }
 
         private void draw(Point p) {
@@ -222,26 +232,18 @@ public final class Panel {
                 line("<path class='quartiles s%d' d='M%.1f %.1f H%.1f'/>", p.series, px(p.low), y, px(p.high));
             }
             line("<circle class='s%d' cx='%.1f' cy='%.1f' r='4.5'/>", p.series, x, y);
-            taken.add(new double[] {x - 6, y - 6, x + 6, y + 6});
+            labels.take(new Labels.Box(x - 6, y - 6, x + 6, y + 6));
         }
 
-        /** Beside its point, at the first of some places where it covers nothing. */
         private void label(Point p) {
-            double x = px(p.x), y = py(p.y), length = 6.1 * p.label.length();
-            double[][] places = {{8, 4}, {-8 - length, 4}, {-length / 2, -9}, {-length / 2, 17}, {8, -8}, {8, 15},
-                {-8 - length, -8}, {-8 - length, 15}, {8, -20}, {8, 27}, {-8 - length, -20}, {-8 - length, 27}};
-            for (double[] place : places) {
-                double[] box = {x + place[0], y + place[1] - 9, x + place[0] + length, y + place[1] + 2};
-                boolean free = box[0] > LEFT && box[2] < width && box[1] > TOP - 10 && box[3] < height - BOTTOM + 2
-                        && taken.stream().allMatch(
-                                t -> box[2] < t[0] || box[0] > t[2] || box[3] < t[1] || box[1] > t[3]);
-                if (free) {
-                    taken.add(box);
-                    text(box[0], box[3] - 2, "label s" + p.series, "start", p.label);
-                    return;
-                }
+            double x = px(p.x), y = py(p.y);
+            Labels.Box box = labels.place(x, y, p.label.length());
+            double nearX = Math.max(box.left(), Math.min(box.right(), x));
+            double nearY = Math.max(box.top(), Math.min(box.bottom(), y));
+            if (Math.hypot(nearX - x, nearY - y) > 14) {
+                line("<path class='leader' d='M%.1f %.1f L%.1f %.1f'/>", x, y, nearX, nearY);
             }
-            text(Math.min(x + 8, width - length), y - 8, "label s" + p.series, "start", p.label);
+            text(box.left(), box.bottom() - 3, "label s" + p.series, "start", p.label);
         }
 
         private void text(double x, double y, String style, String anchor, String text) {

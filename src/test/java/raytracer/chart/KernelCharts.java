@@ -219,6 +219,8 @@ final class KernelCharts {
             next = draw(figure, judged, timings, next);
         }
         waiting.clear();
+        figure.explain(4, "ours");
+        figure.explain("quartiles", "no method measured is faster and as accurate");
     }
 
     private int draw(Figure figure, Judged judged, Timing[] timings, int first) {
@@ -231,7 +233,10 @@ final class KernelCharts {
             String name = judged.methods.get(k).name;
             int series = name.equals("ours") ? 4 : k % 4;
             wrong.point(name, series, timing.median(), timing.low(), timing.high(), verdict.wrongPerMillion());
-            if (!Double.isNaN(verdict.p999())) {
+            if (Double.isNaN(verdict.p999())) {
+                error.note(String.format(Locale.ROOT, "%s: no answer for %.0f %% of rays", name,
+                        100.0 * verdict.wrong() / verdict.count()));
+            } else {
                 error.point(name, series, timing.median(), timing.low(), timing.high(), verdict.p999());
             }
             csv.add(String.format(Locale.ROOT, "%s,\"%s\",%s,%.2f,%.2f,%.2f,%d,%d,%.3g", judged.chart, judged.regime,

@@ -50,6 +50,12 @@ final class LeavingChart {
         add(panel, "ours: source rule and bound", 4, ours());
         Figure figure = new Figure("Leaving a surface: false shadows against missed contacts", origin, 1, 880, 460);
         figure.add(panel);
+        figure.explain(0, "fixed epsilon, joined by a line");
+        figure.explain(1, "no epsilon");
+        figure.explain(2, "point moved");
+        figure.explain(3, "bound");
+        figure.explain(4, "ours");
+        figure.explain(null, "no method here is better both ways");
         figure.write(file);
     }
 

@@ -34,6 +34,10 @@ final class PictureChart {
         figure.add(panel("planet", "planet.scene: spheres of radius .3 to 6,371,000"));
         figure.add(panel("island", "island.scene: a mesh over a mirror"));
         figure.add(panel("sunflower", "sunflower.scene: 900 spheres"));
+        figure.explain(0, "textbook in float");
+        figure.explain(2, "in double");
+        figure.explain(4, "ours");
+        figure.explain("quartiles", "nothing measured is faster and as accurate");
         figure.write(file);
     }
 

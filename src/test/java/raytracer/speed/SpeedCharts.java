@@ -66,7 +66,7 @@ class SpeedCharts {
     }
 
     private static void draw(List<double[]> build, List<double[]> trace) throws IOException, InterruptedException {
-        Panel panel = new Panel("Mountains of n triangles, 640 x 480, one thread: every picture is the oracle's to the last bit",
+        Panel panel = new Panel("Mountains of n triangles, 640x480, one thread; every picture is the exact one",
                 "triangles", "ms", 0, "");
         panel.withoutFront();
         for (double[] p : build) {
