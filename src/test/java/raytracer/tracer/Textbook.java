@@ -33,6 +33,10 @@ public final class Textbook {
     private final Bvh triangleTree;
     private final BvhWalk walk = new BvhWalk();
 
+    // Of the camera.
+    private final Vector w, u, v;
+    private final double half;
+
     private double t;
     private Vector normal;
     private Material material;
@@ -41,6 +45,10 @@ public final class Textbook {
         this.scene = scene;
         this.inFloat = inFloat;
         this.epsilon = epsilon;
+        w = scene.camera().backward();
+        u = scene.camera().right();
+        v = w.cross(u);
+        half = Math.tan(Math.toRadians(scene.camera().fov() / 2));
         for (Shape shape : scene.shapes()) {
             if (shape instanceof Shape.Plane p) {
                 planes.add(p);
@@ -60,18 +68,39 @@ public final class Textbook {
 
     /** Renders on the calling thread. */
     public void render(Image image) {
-        Vector eye = scene.camera().eye(), w = scene.camera().backward(), u = scene.camera().right(), v = w.cross(u);
-        double half = Math.tan(Math.toRadians(scene.camera().fov() / 2));
-        for (int y = 0; y < scene.height(); y++) {
+        render(image, 0, 1, 1);
+    }
+
+    /**
+     * Renders one row in so many, on the calling thread.
+     *
+     * @param samples along a pixel's side
+     */
+    public void render(Image image, int firstRow, int rows, int samples) {
+        Vector eye = rounded(scene.camera().eye());
+        double[] red = new double[scene.width()], green = new double[scene.width()], blue = new double[scene.width()];
+        for (int y = firstRow; y < scene.height(); y += rows) {
             for (int x = 0; x < scene.width(); x++) {
-                double a = half * (2 * x + 1 - scene.width()) / scene.height();
-                double b = half * (scene.height() - 2 * y - 1) / scene.height();
-                Vector d = rounded(new Vector(a * u.x() + b * v.x() - w.x(), a * u.y() + b * v.y() - w.y(),
-                        a * u.z() + b * v.z() - w.z()).unit());
-                double[] c = colour(rounded(eye), d, 1);
-                image.setPixels(x, y, 1, 1, new double[] {c[0]}, new double[] {c[1]}, new double[] {c[2]});
+                double[] sum = new double[3];
+                for (int k = 0; k < samples * samples; k++) {
+                    double[] c = colour(eye, towards(x + (k % samples + .5) / samples, y + (k / samples + .5) / samples), 1);
+                    for (int i = 0; i < 3; i++) {
+                        sum[i] += Math.min(1, c[i]);
+                    }
+                }
+                red[x] = sum[0] / samples / samples;
+                green[x] = sum[1] / samples / samples;
+                blue[x] = sum[2] / samples / samples;
             }
+            image.setPixels(0, y, scene.width(), 1, red, green, blue);
         }
+    }
+
+    /** From the eye to a point of the picture, in pixels from its top left corner. */
+    private Vector towards(double x, double y) {
+        double a = half * (2 * x - scene.width()) / scene.height(), b = half * (scene.height() - 2 * y) / scene.height();
+        return rounded(new Vector(a * u.x() + b * v.x() - w.x(), a * u.y() + b * v.y() - w.y(),
+                a * u.z() + b * v.z() - w.z()).unit());
     }
 
     private double rounded(double x) {
