@@ -171,13 +171,14 @@ public final class Triangles extends BoundedSurfaces {
      * @return rays are clear of the triangle if they have less than this
      */
     private double passBy(Vectors d, int from, int to, int k, Workspace workspace) {
-        Vector a = data.corner(k, 0), b = data.corner(k, 1), c = data.corner(k, 2);
-        double[] ab = workspace.sides.x(), bc = workspace.sides.y(), ca = workspace.sides.z();
-        Vectors m = workspace.moment;
-        sides(a, b, d, m, ab, from, to);
-        sides(b, c, d, m, bc, from, to);
-        sides(c, a, d, m, ca, from, to);
-        Kernel.run(new MinProduct(ab, bc, ca, workspace.minProduct), from, to);
+        Vector a = data.corner(k, 0);
+        double[][] sides = workspace.sides;
+        for (int edge = 0; edge < 3; edge++) {
+            Vector b = data.corner(k, (edge + 1) % 3);
+            sides(a, b, d, workspace.moment, sides[edge], from, to);
+            a = b;
+        }
+        Kernel.run(new MinProduct(sides[0], sides[1], sides[2], workspace.minProduct), from, to);
         double edges = data.edges(k);
         double l1Norm = Math.abs(a.x()) + Math.abs(a.y()) + Math.abs(a.z()) + edges + workspace.farthest;
         double max = 4 * edges * l1Norm;

@@ -29,7 +29,7 @@ public final class Workspace {
     public final double[] spare = square;
 
     // Of a triangle: the sides of its edges, and the least product of two of them.
-    public final Vectors sides = centre;
+    public final double[][] sides = {centre.x(), centre.y(), centre.z()};
     public final double[] minProduct = square;
 
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
