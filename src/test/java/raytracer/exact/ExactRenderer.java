@@ -2,6 +2,7 @@ package raytracer.exact;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import raytracer.scene.Colour;
 import raytracer.scene.Light;
 import raytracer.scene.Material;
@@ -10,8 +11,8 @@ import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 
 /**
- * The format's text turned into code as directly as possible, in arithmetic of 104 bits, every ray against every shape.
- * Slow, and the judge of what the tracer makes of small scenes.
+ * The format's text turned into code as directly as possible, in arithmetic of 104 bits: the judge of what the tracer
+ * makes of a scene. A {@link BoxTree} leaves out what a ray is far from; all else is decided exactly.
  */
 public final class ExactRenderer {
 
@@ -29,6 +30,7 @@ public final class ExactRenderer {
 
     private final Scene scene;
     private final List<Surface> surfaces = new ArrayList<>();
+    private final BoxTree tree;
     private final ExactVector eye;
     private final ExactVector right;
     private final ExactVector up;
@@ -46,6 +48,30 @@ public final class ExactRenderer {
         for (Shape shape : scene.shapes()) {
             add(shape, scene.mesh());
         }
+        tree = new BoxTree(surfaces.stream().map(ExactRenderer::box).toArray(double[][]::new));
+    }
+
+    /** Null if it has none. */
+    private static double[] box(Surface s) {
+        if (s.kind == Kind.PLANE) {
+            return null;
+        }
+        double r = s.radius.high();
+        double[][] corners = {s.a.high(), s.b.high(), s.c.high()};
+        double[] box = new double[6];
+        for (int axis = 0; axis < 3; axis++) {
+            double a = corners[0][axis], b = corners[1][axis], c = corners[2][axis];
+            box[axis] = Math.min(a, Math.min(b, c)) - r;
+            box[axis + 3] = Math.max(a, Math.max(b, c)) + r;
+        }
+        return box;
+    }
+
+    /** What a ray may hit, in the order of declaration. */
+    private int[] candidates(ExactVector o, ExactVector d) {
+        IntStream.Builder found = IntStream.builder();
+        tree.find(o.rounded(), d.rounded(), found::add);
+        return found.build().sorted().toArray();
     }
 
     private void add(Shape shape, Mesh mesh) {
@@ -160,7 +186,8 @@ public final class ExactRenderer {
     /** Of equal distances the first declared. */
     private Hit nearest(ExactVector o, ExactVector d, Surface source) {
         Hit best = null;
-        for (Surface s : surfaces) {
+        for (int i : candidates(o, d)) {
+            Surface s = surfaces.get(i);
             Exact t = meet(s, o, d, s == source);
             if (t != null && (best == null || best.distance.minus(t).high() > EQUAL * best.distance.high())) {
                 best = new Hit(s, t);
@@ -170,7 +197,8 @@ public final class ExactRenderer {
     }
 
     private boolean blocked(ExactVector o, ExactVector d, Exact far, Surface source) {
-        for (Surface s : surfaces) {
+        for (int i : candidates(o, d)) {
+            Surface s = surfaces.get(i);
             Exact t = meet(s, o, d, s == source);
             if (t != null && (far == null || far.minus(t).high() > EQUAL * (far.high() + o.size()))) {
                 return true;

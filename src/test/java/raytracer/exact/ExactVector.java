@@ -42,4 +42,12 @@ record ExactVector(Exact x, Exact y, Exact z) {
     double size() {
         return Math.abs(x.high()) + Math.abs(y.high()) + Math.abs(z.high());
     }
+
+    double[] high() {
+        return new double[] {x.high(), y.high(), z.high()};
+    }
+
+    Vector rounded() {
+        return new Vector(x.high(), y.high(), z.high());
+    }
 }

@@ -22,7 +22,7 @@ import raytracer.scene.Scene;
 import raytracer.tracer.Tracer;
 
 /**
- * The project's own scenes against images that an independent renderer made in 128-bit arithmetic
+ * The project's own scenes against images that the exact judge made in 104 bits, and an independent renderer in 128
  * ({@code src/test/scripts/regenerate-references}). Not one pixel may differ.
  */
 @DisplayName("The picture of")

@@ -36,7 +36,7 @@ class SpeedCharts {
         rays.add("scene,primary Mrays/s,shadow Mrays/s,reflected Mrays/s (and their shadows)");
         for (Subject subject : Subject.six()) {
             Measurement m = new Measurement(subject, folder);
-            assertTrue(subject.isRight(m.picture()), subject.name() + ": the picture is not the oracle's");
+            assertTrue(subject.isRight(m.picture()), subject.name() + ": the picture is not the exact one");
             csv.add(m.cold());
             csv.add(m.warm());
             rays.add(m.raysByKind());
@@ -53,7 +53,7 @@ class SpeedCharts {
         List<String> csv = new ArrayList<>(List.of("# " + Origin.text(), "triangles,build ms,trace ms"));
         for (Subject subject : Subject.mountains()) {
             Measurement m = new Measurement(subject, folder);
-            assertTrue(subject.isRight(m.picture()), subject.name() + ": the picture is not the oracle's");
+            assertTrue(subject.isRight(m.picture()), subject.name() + ": the picture is not the exact one");
             double n = m.triangles();
             double[] times = m.buildAndTraceOnOneThread();
             build.add(new double[] {n, times[0]});

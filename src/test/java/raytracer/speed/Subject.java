@@ -13,7 +13,7 @@ import javax.imageio.ImageIO;
 import raytracer.image.Image;
 
 /**
- * A scene to be measured, and how its right picture is known: by the CRC-32 of the bytes that the independent oracle
+ * A scene to be measured, and how its right picture is known: by the CRC-32 of the bytes that the exact judge
  * computes ({@code src/test/scripts/regenerate-speed-pictures}), three a pixel from the top left.
  */
 record Subject(String name, Callable<String> source) {
@@ -55,7 +55,7 @@ record Subject(String name, Callable<String> source) {
         }
     }
 
-    /** Whether a picture is the oracle's, bit for bit. */
+    /** Whether a picture is the exact one, bit for bit. */
     boolean isRight(Image image) throws IOException {
         Properties known = new Properties();
         try (var in = Files.newBufferedReader(CHECKSUMS)) {
