@@ -166,7 +166,7 @@ final class ChartJob {
         int count = (int) Math.max(MIN_SAMPLES, Math.min(MAX_SAMPLES, affordable));
         Canvas[] halves = new Canvas[2];
         for (int half = 0; half < 2; half++) {
-            halves[half] = render(tracer, new Sampling.Sequence(count, half * 0x5BD1E995), "half of the reference");
+            halves[half] = render(tracer, new Sampling.Lattice(count, half + 1), "half of the reference");
         }
         return halves;
     }

@@ -49,7 +49,7 @@ final class AdaptiveSampler implements Sampler {
         look(left, top, columns, rows, budget.closer());
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (!settled[pixel]) {
-                add(pixel, budget.closer(), budget.samples(means.variance(pixel)));
+                add(pixel, budget.samples(means.variance(pixel)) - budget.closer());
             }
         }
         points.trace(tracer, means);
@@ -59,15 +59,17 @@ final class AdaptiveSampler implements Sampler {
     /** What those of a rectangle's pixels are like that are not settled. */
     List<SampleBudget.Pilot> pilots(int left, int top, int columns, int rows) {
         look(left, top, columns, rows, GLANCE);
-        double[] atAGlance = IntStream.range(0, settled.length).mapToDouble(means::variance).toArray();
+        PixelMeans atAGlance = means;
+        means = new PixelMeans(columns * rows);
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (!settled[pixel]) {
-                add(pixel, GLANCE, PILOT);
+                add(pixel, PILOT);
             }
         }
         points.trace(tracer, means);
         return IntStream.range(0, settled.length).filter(pixel -> !settled[pixel])
-                .mapToObj(pixel -> new SampleBudget.Pilot(atAGlance[pixel], means.variance(pixel))).toList();
+                .mapToObj(pixel -> new SampleBudget.Pilot(atAGlance.variance(pixel), means.variance(pixel),
+                        means.squaredDifference(atAGlance, pixel))).toList();
     }
 
     /** Takes samples at corners, which are those of settled pixels, and a closer look at all other pixels. */
@@ -81,7 +83,7 @@ final class AdaptiveSampler implements Sampler {
             if (settled[pixel]) {
                 addCorners(pixel);
             } else {
-                add(pixel, 0, closer);
+                add(pixel, closer);
             }
         }
         points.trace(tracer, means);
@@ -95,8 +97,8 @@ final class AdaptiveSampler implements Sampler {
         means.add(corners, corner + columns + 2, pixel);
     }
 
-    private void add(int pixel, int from, int to) {
-        points.add(pixel, left + pixel % columns, top + pixel / columns, from, to, 0);
+    private void add(int pixel, int samples) {
+        points.add(pixel, left + pixel % columns, top + pixel / columns, samples, 0);
     }
 
     @Override

@@ -49,6 +49,14 @@ final class PixelMeans {
         return variance > 0 ? variance : 0;
     }
 
+    /** The square of how far a pixel's mean is from that of other samples: the mean of the three components'. */
+    double squaredDifference(PixelMeans others, int p) {
+        double r = red[p] / count[p] - others.red[p] / others.count[p];
+        double g = green[p] / count[p] - others.green[p] / others.count[p];
+        double b = blue[p] / count[p] - others.blue[p] / others.count[p];
+        return (r * r + g * g + b * b) / 3;
+    }
+
     /** Sends all pixels of a rectangle, of which these are the means, which so are no sums any more. */
     void send(int left, int top, int columns, int rows, PixelSink sink) {
         for (int p = 0; p < columns * rows; p++) {

@@ -5,14 +5,14 @@ import raytracer.tracer.TileTracer;
 import raytracer.tracer.rays.Samples;
 
 /**
- * Points of the picture that are to be sampled, each for one pixel of a tile: those of the R2 sequence (Roberts, The
- * Unreasonable Effectiveness of Quasirandom Sequences, 2018), shifted differently in every pixel. They are as even as a
- * grid, but in rows of no direction, and any number of them can be continued.
+ * Points of the picture that are to be sampled, each for one pixel of a tile. A pixel's points are a lattice: as even as a
+ * grid, but in rows of no direction, so that no fence is in step with them (Dammertz and Keller, Image Synthesis by Rank-1
+ * Lattices, 2008; of the golden ratio, which is a good one for any number of points). Its middle is the pixel's, so that
+ * the errors on both sides of a straight edge make up for each other.
  */
 final class Points {
 
-    /** The root of x^3 = x + 1, whose powers divide a square most evenly. */
-    private static final double PLASTIC = 1.3247179572447460;
+    private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
 
     private double[] x = new double[Samples.CAPACITY];
     private double[] y = new double[Samples.CAPACITY];
@@ -25,16 +25,18 @@ final class Points {
     }
 
     /**
-     * Adds points {@code from} to {@code to - 1} of a pixel's sequence.
+     * Adds a lattice of so many points.
      *
      * @param ofPixel its number in the tile
-     * @param seed    of different ones, sequences are different
+     * @param seed    0, or lattices are shifted differently in every pixel and for every seed
      */
-    void add(int ofPixel, int column, int row, int from, int to, int seed) {
+    void add(int ofPixel, int column, int row, int points, int seed) {
         int hash = (column * 0x9E3779B1 ^ row) * 0x85EBCA6B ^ seed;
-        double shiftX = (hash >>> 16) / 65536.0, shiftY = ((hash * 0xC2B2AE35) >>> 16) / 65536.0;
-        for (int k = from; k < to; k++) {
-            add(ofPixel, column + fraction(shiftX + k / PLASTIC), row + fraction(shiftY + k / (PLASTIC * PLASTIC)));
+        double shiftX = seed == 0 ? 0 : (hash >>> 16) / 65536.0;
+        double shiftY = seed == 0 ? 0 : ((hash * 0xC2B2AE35) >>> 16) / 65536.0;
+        for (int k = 0; k < points; k++) {
+            add(ofPixel, column + fraction(shiftX + (k + 0.5) / points),
+                    row + fraction(shiftY + 0.5 + (k - (points - 1) / 2.0) * GOLDEN));
         }
     }
 

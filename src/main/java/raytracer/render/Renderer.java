@@ -22,12 +22,13 @@ import raytracer.tracer.Tracer;
 public final class Renderer {
 
     /**
-     * To know how many samples an adaptive picture takes, one tile in so many is looked at; more of a small picture, so
-     * that there are enough, and fewer of a huge one.
+     * To know how many samples an adaptive picture takes, a block of so many pixels' side is looked at in every tile, so
+     * that nothing as large as a tile is overlooked; a larger one in small pictures, so that there are enough pixels in
+     * all; and of a huge picture in so many of the tiles.
      */
-    private static final int PILOT_STRIDE = 8;
-    private static final int MIN_PILOTS = 64;
-    private static final int MAX_PILOTS = 4096;
+    private static final int MIN_PILOT_SIDE = 5;
+    private static final int PILOTS = 16_000;
+    private static final int MAX_PILOT_BLOCKS = 4096;
 
     private final Tracer tracer;
     private final Sampling sampling;
@@ -71,27 +72,31 @@ public final class Renderer {
     private Sampler newSampler() {
         return sampling instanceof Sampling.Grid grid
                 ? new GridSampler(tracer.enlarged(grid.n()).newTileTracer(), grid.n())
-                : new SequenceSampler(tracer.newTileTracer(), (Sampling.Sequence) sampling);
+                : new LatticeSampler(tracer.newTileTracer(), (Sampling.Lattice) sampling);
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
         // Of the whole picture, so that a part of it gets the same samples.
         Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()), AdaptiveSampler.TILE_SIDE);
-        int stride = (int) Math.max(Math.max(1, whole.count() / MAX_PILOTS),
-                Math.min(PILOT_STRIDE, whole.count() / MIN_PILOTS));
-        List<List<SampleBudget.Pilot>> pilots = new ArrayList<>(
+        int stride = (int) Math.max(1, whole.count() / MAX_PILOT_BLOCKS);
+        int side = Math.max(MIN_PILOT_SIDE, (int) Math.sqrt((double) PILOTS / whole.count()));
+        List<List<SampleBudget.Pilot>> blocks = new ArrayList<>(
                 Collections.nCopies((int) ((whole.count() + stride - 1) / stride), List.of()));
-        RayCounts pilot = onAllThreads(pool,
-                () -> look(new AdaptiveSampler(tracer.newTileTracer(), error, null), whole, stride, pilots));
-        long pixels = 0;
-        for (int i = 0; i < pilots.size(); i++) {
-            pixels += whole.pixels((long) i * stride);
-        }
-        List<SampleBudget.Pilot> all = pilots.stream().flatMap(List::stream).toList();
-        tracer.expect((long) (tiles.pixels() * AdaptiveSampler.FIRST_SAMPLES));
-        SampleBudget budget = SampleBudget.plan(all, pixels, error, AdaptiveSampler.FIRST_SAMPLES);
+        AtomicLong pixels = new AtomicLong();
+        RayCounts pilot = onAllThreads(pool, () -> {
+            AdaptiveSampler sampler = new AdaptiveSampler(tracer.newTileTracer(), error, null);
+            for (long tile; (tile = whole.next(stride)) < whole.count(); ) {
+                Region block = pilotBlock(whole, tile, side);
+                pixels.addAndGet((long) block.width() * block.height());
+                blocks.set((int) (tile / stride),
+                        sampler.pilots(block.x(), block.y(), block.width(), block.height()));
+            }
+            return sampler.counts();
+        });
+        SampleBudget budget = SampleBudget.plan(blocks, pixels.get(), error, AdaptiveSampler.FIRST_SAMPLES);
+        tracer.expect((long) (tiles.pixels() * budget.mean()));
         return pilot.plus(onAllThreads(pool, () -> work(budget.all() > 0
-                ? new SequenceSampler(tracer.newTileTracer(), new Sampling.Sequence(budget.all(), 0))
+                ? new LatticeSampler(tracer.newTileTracer(), new Sampling.Lattice(budget.all(), 0))
                 : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));
     }
 
@@ -132,14 +137,12 @@ public final class Renderer {
         return (double) done.get() / tiles.count();
     }
 
-    /** Finds out what every so many-th tile is like. */
-    private static RayCounts look(AdaptiveSampler sampler, Tiles whole, int stride,
-            List<List<SampleBudget.Pilot>> pilots) {
-        for (long tile; (tile = whole.next(stride)) < whole.count(); ) {
-            pilots.set((int) (tile / stride),
-                    sampler.pilots(whole.left(tile), whole.top(tile), whole.columns(tile), whole.rows(tile)));
-        }
-        return sampler.counts();
+    /** A block of a tile: not the same one of each, as pictures may be regular. */
+    private static Region pilotBlock(Tiles whole, long tile, int side) {
+        int columns = Math.min(side, whole.columns(tile)), rows = Math.min(side, whole.rows(tile));
+        int hash = Long.hashCode(tile * 0x9E3779B97F4A7C15L) & Integer.MAX_VALUE;
+        return new Region(whole.left(tile) + hash % (whole.columns(tile) - columns + 1),
+                whole.top(tile) + hash / 64 % (whole.rows(tile) - rows + 1), columns, rows);
     }
 
     /** Counts pixels from a region's corner, and drops those outside. */

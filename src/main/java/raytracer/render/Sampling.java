@@ -21,12 +21,12 @@ public sealed interface Sampling {
     }
 
     /**
-     * Every pixel: samples in no regular pattern, to measure the others' errors by.
+     * Every pixel: a lattice of samples, in rows of no direction.
      *
      * @param count at least 1
-     * @param seed  of different ones, errors are different
+     * @param seed  0, or what the lattices are shifted by: of different ones, errors are different
      */
-    record Sequence(int count, int seed) implements Sampling {
+    record Lattice(int count, int seed) implements Sampling {
         @Override
         public long samples() {
             return count;

@@ -67,7 +67,7 @@ class SamplingTest {
     private static final Map<String, Canvas> CONVERGED = new HashMap<>();
 
     private static Canvas converged(String name, Scene scene) {
-        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Sequence(200, 1)));
+        return CONVERGED.computeIfAbsent(name, n -> render(scene, new Sampling.Lattice(200, 1)));
     }
 
     private static Canvas render(Scene scene, Sampling sampling) {
@@ -206,7 +206,7 @@ class SamplingTest {
                 tri 0 1 2
                 tri 0 2 3
                 """).scene();
-        Canvas exact = render(scene, new Sampling.Sequence(400, 1)), auto = render(scene, new Sampling.Adaptive(1 / 255.0));
+        Canvas exact = render(scene, new Sampling.Lattice(400, 1)), auto = render(scene, new Sampling.Adaptive(1 / 255.0));
         for (int y = 13; y < 107; y++) {
             double wanted = 0, found = 0;
             for (int x = 0; x < 160; x++) {

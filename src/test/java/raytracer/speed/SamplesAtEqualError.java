@@ -43,7 +43,7 @@ class SamplesAtEqualError {
         String text = Files.readString(Path.of("scenes", name + ".scene"));
         scene = Scenes.parse(text).scene().withSize(width, height);
         tracer = Tracer.compile(scene, THREADS);
-        Canvas half = render(new Sampling.Sequence(128, 1)), other = render(new Sampling.Sequence(128, 2));
+        Canvas half = render(new Sampling.Lattice(128, 1)), other = render(new Sampling.Lattice(128, 2));
         Canvas reference = Canvas.mean(half, other);
         double floor = half.rmse(other) / 2;
         double uniformError = render(UNIFORM).rmse(reference);

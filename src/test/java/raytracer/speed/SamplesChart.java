@@ -71,7 +71,7 @@ class SamplesChart {
             ours.put("--samples auto:1/" + n, new Sampling.Adaptive(1.0 / n));
         }
         List<String> pov = List.of("-A", "+A0.3", "+A0.1", "+A0.03", "+AM2 +A0.3 +R2", "+AM2 +A0.1 +R3", "+AM2 +A0.05 +R4");
-        Canvas half = render(new Sampling.Sequence(256, 1)), other = render(new Sampling.Sequence(256, 2));
+        Canvas half = render(new Sampling.Lattice(256, 1)), other = render(new Sampling.Lattice(256, 2));
         Canvas reference = Canvas.mean(half, other);
         double[] povReference = pov(new Measured(), CONVERGED);
         Map<String, Measured> all = new LinkedHashMap<>();
