@@ -5,6 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.List;
 
 /** Where figures come from: machine, Java, commit and date. */
 public final class Origin {
@@ -22,9 +24,17 @@ public final class Origin {
                 + commit() + "; " + LocalDate.now();
     }
 
+    /** Charts and figures may have been drawn since: they make no difference to the next ones. */
     private static String commit() throws IOException, InterruptedException {
-        Process git = new ProcessBuilder("git", "describe", "--always", "--dirty").redirectErrorStream(true).start();
-        String name = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
-        return git.waitFor() == 0 ? name : "unknown";
+        String changed = git("status", "--porcelain", "--", "pom.xml", "src/main", "src/test", "scenes");
+        return git("rev-parse", "--short", "HEAD") + (changed.isEmpty() ? "" : "-dirty");
+    }
+
+    private static String git(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("git"));
+        command.addAll(List.of(arguments));
+        Process git = new ProcessBuilder(command).redirectErrorStream(true).start();
+        String said = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
+        return git.waitFor() == 0 ? said : "unknown";
     }
 }
