@@ -230,6 +230,7 @@ public final class Panel {
             double x = px(p.x), y = py(p.y);
             if (p.high > p.low) {
                 line("<path class='quartiles s%d' d='M%.1f %.1f H%.1f'/>", p.series, px(p.low), y, px(p.high));
+                labels.take(new Labels.Box(px(p.low), y - 2, px(p.high), y + 2));
             }
             line("<circle class='s%d' cx='%.1f' cy='%.1f' r='4.5'/>", p.series, x, y);
             labels.take(new Labels.Box(x - 6, y - 6, x + 6, y + 6));
