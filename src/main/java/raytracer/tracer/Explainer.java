@@ -96,7 +96,7 @@ public final class Explainer {
         Vector origin = origin(), direction = new Vector(rays.dx[0], rays.dy[0], rays.dz[0]);
         rays.clearHits();
         for (Surfaces kind : surfaces) {
-            Kernel.run(ClosestHit.among(kind, rays, pinhole.source(), space), 0, 1);
+            Kernel.run(ClosestHit.among(kind, rays, space), 0, 1);
         }
         new Ties(table.declared(), surfaces, rays, space.surfaces()).settle();
         int surface = rays.hit[0];

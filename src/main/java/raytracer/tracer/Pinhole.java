@@ -1,21 +1,14 @@
 package raytracer.tracer;
 
-import java.util.List;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.lightbuffer.Frustum;
-import raytracer.tracer.lightbuffer.Viewpoint;
-import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 
 /** The rays of a scene's camera. */
 final class Pinhole {
-
-    /** In half pixels: a margin beside the picture, on whose edge the corners of pixels are. */
-    private static final int RIM = 4;
 
     private final Camera camera;
     private final int width;
@@ -27,8 +20,6 @@ final class Pinhole {
     private final Vector right;
     private final Vector up;
     private final Vector backward;
-
-    private final Viewpoint viewpoint;
 
     Pinhole(Scene scene) {
         this(scene.camera(), scene.width(), scene.height());
@@ -46,25 +37,6 @@ final class Pinhole {
         right = camera.right().times(halfHeight);
         up = toEye.cross(camera.right()).times(halfHeight);
         backward = toEye.times(height);
-        double x = width + RIM, y = height + RIM;
-        viewpoint = new Viewpoint(LightSource.ofEye(eye),
-                new Frustum(List.of(towards(-x, y), towards(x, y), towards(x, -y), towards(-x, -y))));
-    }
-
-    /** To a point of the picture's plane, seen from its middle in half pixels. */
-    private Vector towards(double x, double y) {
-        return new Vector(x * right.x() + y * up.x() - backward.x(), x * right.y() + y * up.y() - backward.y(),
-                x * right.z() + y * up.z() - backward.z());
-    }
-
-    /** The eye, and what the picture shows from there. */
-    Viewpoint viewpoint() {
-        return viewpoint;
-    }
-
-    /** The eye in place of a light. */
-    LightSource source() {
-        return viewpoint.source();
     }
 
     /** The same view in a picture so many times as wide and as high. */

@@ -81,7 +81,7 @@ public final class TileTracer {
         move = new Kernel[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {
             move[kind] = surfaces.get(kind).moving(rays, space.surfaces());
-            find[kind] = ClosestHit.among(surfaces.get(kind), rays, pinhole.source(), space);
+            find[kind] = ClosestHit.among(surfaces.get(kind), rays, space);
         }
         shading = new Shading(surfaces, lights, rays, space);
         cells = new SettledCells(surfaces, rays, space);

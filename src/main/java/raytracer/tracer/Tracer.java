@@ -7,7 +7,6 @@ import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Progress;
@@ -51,9 +50,7 @@ public final class Tracer {
             for (Light light : scene.lights()) {
                 lights.add(LightSource.of(light));
             }
-            List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
-            lights.forEach(light -> viewpoints.add(new Viewpoint(light, null)));
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(viewpoints, progress), pool);
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(lights, progress), pool);
             List<Surfaces> surfaces = compiler.surfaces();
             return new Tracer(pinhole, surfaces, compiler.table(), List.copyOf(lights), scene.maxDepth(),
                     progress);

@@ -103,7 +103,7 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> ClosestHit.among(kind, rays, null, space).run(0, rays.count));
+        surfaces.forEach(kind -> ClosestHit.among(kind, rays, space).run(0, rays.count));
         ties.settle();
         int slot = rays.hit[0];
         if (slot == Rays.NONE) {

@@ -21,7 +21,6 @@ import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.lightbuffer.Viewpoint;
 import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
@@ -54,21 +53,17 @@ class TiesTest {
             }
             Progress progress = new Progress();
             progress.expect(Integer.MAX_VALUE);
-            List<Viewpoint> viewpoints = new ArrayList<>(List.of(pinhole.viewpoint()));
-            lamps.forEach(lamp -> viewpoints.add(new Viewpoint(lamp, null)));
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(viewpoints, progress), ForkJoinPool.commonPool());
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(lamps, progress), ForkJoinPool.commonPool());
             surfaces = compiler.surfaces();
             slots = compiler.table();
             maxDepth = scene.maxDepth();
         }
 
-        /** Makes it so that every ray that would walk the tree looks into a light buffer instead; returns how many. */
+        /** Makes it so that every shadow ray that would walk the tree looks into a light buffer instead; returns how many. */
         int buildLightBuffers() {
-            List<LightSource> all = new ArrayList<>(lamps);
-            all.add(pinhole.source());
             int built = 0;
             for (Surfaces kind : surfaces) {
-                for (LightSource lamp : all) {
+                for (LightSource lamp : lamps) {
                     built += kind instanceof BoundedSurfaces bounded
                             && bounded.lightBuffer(lamp).insteadOfWalks(Integer.MAX_VALUE) != null ? 1 : 0;
                 }

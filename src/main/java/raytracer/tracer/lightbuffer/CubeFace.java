@@ -126,18 +126,6 @@ public final class CubeFace {
         }
     }
 
-    /** Makes the part with cells no larger than this. */
-    void limit(double fromU, double toU, double fromV, double toV) {
-        minU = Math.max(minU, fromU);
-        minV = Math.max(minV, fromV);
-        maxU = Math.min(maxU, toU);
-        maxV = Math.min(maxV, toV);
-        if (!(minU < maxU && minV < maxV)) {
-            minU = minV = Double.POSITIVE_INFINITY;
-            maxU = maxV = Double.NEGATIVE_INFINITY;
-        }
-    }
-
     /** Whether the part with cells has anything in common with a box. */
     boolean overlaps(double fromU, double toU, double fromV, double toV) {
         return fromU <= maxU && toU >= minU && fromV <= maxV && toV >= minV;

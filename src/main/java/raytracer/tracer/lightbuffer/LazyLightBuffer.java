@@ -2,6 +2,7 @@ package raytracer.tracer.lightbuffer;
 
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.rays.LightSource;
 
 /**
  * A {@link LightBuffer} that is built when it will spare more walks through the tree than it costs: as many are still
@@ -20,16 +21,16 @@ public final class LazyLightBuffer {
 
     private final Bvh bvh;
     private final BoundingShapes shapes;
-    private final Viewpoint viewpoint;
+    private final LightSource light;
     private final Viewpoints all;
     private final AtomicLong walks = new AtomicLong();
     private volatile boolean isBegun;
     private volatile LightBuffer buffer;
 
-    LazyLightBuffer(Bvh bvh, BoundingShapes shapes, Viewpoint viewpoint, Viewpoints all) {
+    LazyLightBuffer(Bvh bvh, BoundingShapes shapes, LightSource light, Viewpoints all) {
         this.bvh = bvh;
         this.shapes = shapes;
-        this.viewpoint = viewpoint;
+        this.light = light;
         this.all = all;
     }
 
@@ -61,7 +62,7 @@ public final class LazyLightBuffer {
             isBegun = true;
             Runtime java = Runtime.getRuntime();
             if (hasRoom(bvh.order().length, java.maxMemory(), java.totalMemory() - java.freeMemory())) {
-                buffer = LightBufferBuilder.build(bvh, shapes, viewpoint);
+                buffer = LightBufferBuilder.build(bvh, shapes, light);
                 all.sorted.addAndGet(bvh.order().length);
             }
         }

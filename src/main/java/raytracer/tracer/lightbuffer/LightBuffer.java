@@ -8,9 +8,7 @@ import raytracer.tracer.rays.Rays;
 /**
  * The primitives of a {@link Bvh} by the direction in which a source sees them: whatever may be in a shadow ray's way
  * is in the one cell in which the source sees where the ray starts (Haines and Greenberg, The Light Buffer: A
- * Shadow-Testing Accelerator, 1986). If the source is the eye, what is ahead of a ray from there is in one cell
- * (Weghorst, Hooper and Greenberg, Improved Computational Methods for Ray Tracing, 1984). Trying those takes half of
- * the time of a walk through the tree, or less.
+ * Shadow-Testing Accelerator, 1986). Trying those takes half of the time of a walk through the tree, or less.
  *
  * <p>Everything is in the tree's space and in double, of points not too far away, so that errors
  * are far below the boxes' padding; primitives are taken for larger by as much.
@@ -51,8 +49,6 @@ public final class LightBuffer {
         public final double[] z = new double[Batch.CAPACITY];
         /** The {@link #key} of the depth beyond which nothing matters. */
         private final int[] depth = new int[Batch.CAPACITY];
-        /** By how much the depth grows along a ray, in the tree's space, for each unit in the world's. */
-        private final double[] depthPerDistance = new double[Batch.CAPACITY];
         public final int[] first = new int[Batch.CAPACITY];
         public final int[] end = new int[Batch.CAPACITY];
     }
@@ -83,31 +79,9 @@ public final class LightBuffer {
         CubeFace face = faces[directional ? 0 : CubeFace.number(x, y, z)];
         // Rounding keeps the order, and entries' depths have been rounded down.
         cells.depth[ray] = key((float) face.depth(x, y, z));
-        find(face.cell(x, y, z), ray, cells);
-    }
-
-    /** Finds the cells through which rays go that start at the source: it is the eye. */
-    public void findAhead(Rays rays, int from, int to, Cells cells) {
-        for (int i = from; i < to; i++) {
-            cells.x[i] = sourceX;
-            cells.y[i] = sourceY;
-            cells.z[i] = sourceZ;
-            double x = rays.dx[i], y = rays.dy[i], z = rays.dz[i];
-            CubeFace face = faces[CubeFace.number(x, y, z)];
-            cells.depthPerDistance[i] = face.depth(x, y, z) * space.scale();
-            find(face.cell(x, y, z), i, cells);
-            limit(rays.maxDistance(i), i, cells);
-        }
-    }
-
-    private void find(int cell, int ray, Cells cells) {
+        int cell = face.cell(x, y, z);
         cells.first[ray] = cell < 0 ? 0 : start[cell];
         cells.end[ray] = cell < 0 ? 0 : start[cell + 1];
-    }
-
-    /** Nothing farther away along a ray from the eye matters any more; rounded up. */
-    public void limit(double distance, int ray, Cells cells) {
-        cells.depth[ray] = key((float) (distance * cells.depthPerDistance[ray] * (1 + 0x1p-22)));
     }
 
     /** Whether part of an entry's primitive may be nearer to the source than what matters: if not, none after it is. */

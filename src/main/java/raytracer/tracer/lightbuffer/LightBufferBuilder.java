@@ -28,7 +28,6 @@ public final class LightBufferBuilder {
     /** In the tree's space. */
     private final double[] source;
     private final CubeFace[] faces;
-    private final Frustum shown;
     private final int count;
     private final ProjectedOutline outline = new ProjectedOutline();
 
@@ -44,29 +43,27 @@ public final class LightBufferBuilder {
     private long entries;
     private long[] sorted;
 
-    private LightBufferBuilder(Bvh bvh, BoundingShapes shapes, double[] source, CubeFace[] faces, Frustum shown) {
+    private LightBufferBuilder(Bvh bvh, BoundingShapes shapes, double[] source, CubeFace[] faces) {
         this.bvh = bvh;
         this.shapes = shapes;
         this.source = source;
         this.faces = faces;
-        this.shown = shown;
         count = bvh.order().length - bvh.oversized();
     }
 
     /**
-     * Sorts the primitives of a tree by where a source sees them.
+     * Sorts the primitives of a tree by where a light sees them.
      *
      * @param shapes by number in the tree's order
      * @return null if that would be no use
      */
-    static LightBuffer build(Bvh bvh, BoundingShapes shapes, Viewpoint from) {
+    static LightBuffer build(Bvh bvh, BoundingShapes shapes, LightSource of) {
         if (bvh.root() < 0) {
             return null;
         }
-        LightSource of = from.source();
         if (of.directional()) {
             CubeFace[] faces = {CubeFace.of(of.x(), of.y(), of.z())};
-            return new LightBufferBuilder(bvh, shapes, new double[3], faces, null).build();
+            return new LightBufferBuilder(bvh, shapes, new double[3], faces).build();
         }
         double[] source = {bvh.space().x(of.x()), bvh.space().y(of.y()), bvh.space().z(of.z())};
         for (double coordinate : source) {
@@ -74,16 +71,13 @@ public final class LightBufferBuilder {
                 return null;
             }
         }
-        return new LightBufferBuilder(bvh, shapes, source, CubeFace.around(), from.shown()).build();
+        return new LightBufferBuilder(bvh, shapes, source, CubeFace.around()).build();
     }
 
     private LightBuffer build() {
         include(bvh.root(), LEVELS);
         double area = 0;
         for (CubeFace face : faces) {
-            if (shown != null) {
-                shown.limit(face);
-            }
             area += face.area();
         }
         int cells = 0;

@@ -9,10 +9,10 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Progress;
 
-/** From where the light buffers of a scene look, and what all of them share while they are built. */
+/** The lights of a scene, from which its light buffers look, and what all of them share while they are built. */
 public final class Viewpoints {
 
-    private final List<Viewpoint> viewpoints;
+    private final List<LightSource> lights;
 
     /** Of the picture. */
     final Progress progress;
@@ -23,16 +23,16 @@ public final class Viewpoints {
     /** Whether any buffer is being built: one at a time, or each would count on the same memory. */
     final AtomicBoolean isBuilding = new AtomicBoolean();
 
-    public Viewpoints(List<Viewpoint> viewpoints, Progress progress) {
-        this.viewpoints = viewpoints;
+    public Viewpoints(List<LightSource> lights, Progress progress) {
+        this.lights = lights;
         this.progress = progress;
     }
 
-    /** The buffers over a tree by their source, which are told apart as objects. */
+    /** The buffers over a tree by their light, which are told apart as objects. */
     public Map<LightSource, LazyLightBuffer> buffers(Bvh bvh, BoundingShapes shapes) {
         Map<LightSource, LazyLightBuffer> buffers = new IdentityHashMap<>();
-        for (Viewpoint viewpoint : viewpoints) {
-            buffers.put(viewpoint.source(), new LazyLightBuffer(bvh, shapes, viewpoint, this));
+        for (LightSource light : lights) {
+            buffers.put(light, new LazyLightBuffer(bvh, shapes, light, this));
         }
         return buffers;
     }

@@ -6,16 +6,12 @@ import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Rounding;
 
 /**
- * A light as the tracer wants it; or the eye, for what is seen from there is what a light would shine on.
+ * A light as the tracer wants it.
  *
  * @param directional whether it is at infinity
  * @param x           its position, or for a directional light the unit vector towards it
  */
 public record LightSource(boolean directional, double x, double y, double z, Colour colour) {
-
-    public static LightSource ofEye(Vector eye) {
-        return new LightSource(false, eye.x(), eye.y(), eye.z(), Colour.BLACK);
-    }
 
     /**
      * How far off it counts as being: a light that is meant to be on a surface is there only as well as decimals say,

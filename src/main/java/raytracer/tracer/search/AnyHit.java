@@ -16,6 +16,12 @@ public final class AnyHit extends Search {
 
     private final ShadowRays shadows;
 
+    /** Where rays are looked up, if they are. */
+    private LightBuffer buffer;
+
+    private final Kernel findCells = this::findCells;
+    private final Kernel lookUp = this::lookUp;
+
     /** What occludes every shadow ray that a surface of one kind blocks between its ends. */
     public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
@@ -45,11 +51,46 @@ public final class AnyHit extends Search {
         space.beam().enclose(rays, shadows.light, from, to);
     }
 
+    /** Each ray looks up what may be in its way, if there is a light buffer to look into, or walks the tree. */
     @Override
-    LightBuffer bufferInsteadOfWalks(int from, int to) {
+    void searchEach(int from, int to) {
         LazyLightBuffer lazy = surfaces.lightBuffer(shadows.light);
         LightBuffer built = lazy == null ? null : lazy.insteadOfWalks(to - from);
-        return built != null && built.isNearEnough(rays, from, to) ? built : null;
+        if (built != null && built.isNearEnough(rays, from, to)) {
+            lookUp(built, from, to);
+        } else {
+            super.searchEach(from, to);
+        }
+    }
+
+    private void lookUp(LightBuffer in, int from, int to) {
+        buffer = in;
+        Kernel.run(findCells, from, to);
+        Kernel.run(lookUp, from, to);
+    }
+
+    private void findCells(int from, int to) {
+        buffer.find(rays, from, to, space.cells());
+    }
+
+    private void lookUp(int from, int to) {
+        LightBuffer.Cells cells = space.cells();
+        for (int i = from; i < to; i++) {
+            if (cells.first[i] < cells.end[i] && isSearching(i)) {
+                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
+                setLine(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
+                tryCell(i, cells);
+            }
+        }
+    }
+
+    private void tryCell(int ray, LightBuffer.Cells cells) {
+        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
+            int k = buffer.primitive(entry);
+            if (surfaces.mayHit(k, k + 1, space.surfaces()) != 0 && isLast(ray, k)) {
+                return;
+            }
+        }
     }
 
     @Override
@@ -84,12 +125,4 @@ public final class AnyHit extends Search {
         line.setDirection(shadows.dx[i], shadows.dy[i], shadows.dz[i], shadows.originError[i] * bvh.space().scale(),
                 2 * Rounding.U);
     }
-
-    @Override
-    void findCells(int from, int to) {
-        buffer.find(rays, from, to, space.cells());
-    }
-
-    @Override
-    void shortenCell(int ray) { }
 }

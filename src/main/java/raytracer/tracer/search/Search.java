@@ -4,15 +4,13 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.LightBuffer;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
 
 /**
  * Finds what a batch of rays may hit among surfaces of one kind, and has it tried. If the rays' {@link Beam} finds few
- * surfaces, all rays try those; else each ray looks up what may be in its way in a {@link LightBuffer}, if there is one
- * for it, or walks the tree. For one thread.
+ * surfaces, all rays try those; else each ray walks the tree. For one thread.
  */
 abstract class Search implements Kernel {
 
@@ -21,16 +19,11 @@ abstract class Search implements Kernel {
     final Rays rays;
     final SearchWorkspace space;
 
-    /** Where rays are looked up, if they are. */
-    LightBuffer buffer;
-
     private final Vectors direction;
 
     private final Kernel tryOversized = this::tryOversized;
     private final Kernel tryGathered = this::tryGathered;
     private final Kernel walk = this::walk;
-    private final Kernel findCells = this::findCells;
-    private final Kernel lookUp = this::lookUp;
 
     /** @param direction in which to search, from where rays start */
     Search(BoundedSurfaces surfaces, Rays rays, Vectors direction, SearchWorkspace space) {
@@ -45,9 +38,6 @@ abstract class Search implements Kernel {
     abstract boolean isDoneWithoutBeam(int from, int to);
 
     abstract void encloseInBeam(int from, int to);
-
-    /** The light buffer to use instead of so many walks; null if there is none. */
-    abstract LightBuffer bufferInsteadOfWalks(int from, int to);
 
     /** Computes what {@link #tryAll} needs to know of rays. */
     abstract void prepare(int from, int to);
@@ -66,11 +56,6 @@ abstract class Search implements Kernel {
 
     /** Sets the line of a ray whose point has been set. */
     abstract void setDirection(SieveLine line, int ray);
-
-    abstract void findCells(int from, int to);
-
-    /** Keeps the cell of a ray as short as what it has found allows. */
-    abstract void shortenCell(int ray);
 
     @Override
     public void run(int from, int to) {
@@ -103,19 +88,8 @@ abstract class Search implements Kernel {
     }
 
     /** Ray by ray, after the beam of all has given up. */
-    private void searchEach(int from, int to) {
-        LightBuffer built = bufferInsteadOfWalks(from, to);
-        if (built != null) {
-            lookUp(built, from, to);
-        } else {
-            Kernel.run(walk, from, to);
-        }
-    }
-
-    final void lookUp(LightBuffer in, int from, int to) {
-        buffer = in;
-        Kernel.run(findCells, from, to);
-        Kernel.run(lookUp, from, to);
+    void searchEach(int from, int to) {
+        Kernel.run(walk, from, to);
     }
 
     // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
@@ -136,7 +110,7 @@ abstract class Search implements Kernel {
         }
     }
 
-    private void setLine(double x, double y, double z, double far, int ray) {
+    final void setLine(double x, double y, double z, double far, int ray) {
         if (surfaces.hasSieve()) {
             SieveLine line = space.surfaces().line;
             line.setPoint(x, y, z, far);
@@ -151,29 +125,6 @@ abstract class Search implements Kernel {
                 if (isLast(ray, walk.first() + Integer.numberOfTrailingZeros(bits))) {
                     return;
                 }
-            }
-        }
-    }
-
-    private void lookUp(int from, int to) {
-        LightBuffer.Cells cells = space.cells();
-        for (int i = from; i < to; i++) {
-            if (cells.first[i] < cells.end[i] && isSearching(i)) {
-                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
-                setLine(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
-                tryCell(i, cells);
-            }
-        }
-    }
-
-    private void tryCell(int ray, LightBuffer.Cells cells) {
-        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
-            int k = buffer.primitive(entry);
-            if (surfaces.mayHit(k, k + 1, space.surfaces()) != 0) {
-                if (isLast(ray, k)) {
-                    return;
-                }
-                shortenCell(ray);
             }
         }
     }

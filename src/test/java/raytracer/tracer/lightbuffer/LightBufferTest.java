@@ -45,14 +45,10 @@ public class LightBufferTest {
     public static final Viewpoints NONE = new Viewpoints(List.of(), new Progress());
 
     /** So much work is ahead that buffers are built soon. */
-    public static Viewpoints viewpoints(Viewpoint viewpoint) {
+    private static Viewpoints viewpoints(LightSource lamp) {
         Progress progress = new Progress();
         progress.expect(Integer.MAX_VALUE);
-        return new Viewpoints(List.of(viewpoint), progress);
-    }
-
-    private static Viewpoints viewpoints(LightSource lamp) {
-        return viewpoints(new Viewpoint(lamp, null));
+        return new Viewpoints(List.of(lamp), progress);
     }
 
     private static double coordinate(Random random, double size) {
@@ -147,7 +143,7 @@ public class LightBufferTest {
     }
 
     private static long assertHasAllInTheWay(Bvh bvh, BoundingShapes shapes, LightSource lamp, Random random) {
-        LightBuffer buffer = LightBufferBuilder.build(bvh, shapes, new Viewpoint(lamp, null));
+        LightBuffer buffer = LightBufferBuilder.build(bvh, shapes, lamp);
         assertNotNull(buffer);
         LightBuffer.Cells cells = new LightBuffer.Cells();
         Rays rays = new Rays();
@@ -236,20 +232,20 @@ public class LightBufferTest {
         Random random = new Random(4);
         List<Shape.Sphere> large = spheres(random, ORIGIN, .7);
         Bvh bvh = tree(large);
-        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, large), new Viewpoint(lamp(false, new Vector(0, 2, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, large), lamp(false, new Vector(0, 2, 0))));
         List<Shape.Sphere> small = spheres(random, ORIGIN, .05);
         Bvh other = tree(small);
         BoundingShapes hulls = shapes(other, small);
-        assertNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3e6, 0)), null)));
-        assertNotNull(LightBufferBuilder.build(other, hulls, new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
+        assertNull(LightBufferBuilder.build(other, hulls, lamp(false, new Vector(0, 3e6, 0))));
+        assertNotNull(LightBufferBuilder.build(other, hulls, lamp(false, new Vector(0, 3, 0))));
     }
 
     @Test
     void isNotBuiltOfASingleLeaf() {
         List<Shape.Sphere> one = List.of(new Shape.Sphere(ORIGIN, 1, Material.DEFAULT));
         Bvh bvh = BvhBuilder.build(1, Spheres.bounds(one), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
-        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, one), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null)));
-        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, one), new Viewpoint(lamp(true, new Vector(0, 1, 0)), null)));
+        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, one), lamp(false, new Vector(0, 3, 0))));
+        assertNull(LightBufferBuilder.build(bvh, shapes(bvh, one), lamp(true, new Vector(0, 1, 0))));
     }
 
     @Test
@@ -257,7 +253,7 @@ public class LightBufferTest {
         List<Shape.Sphere> spheres = spheres(new Random(7), ORIGIN, .05);
         Bvh bvh = tree(spheres);
         LightBuffer buffer = LightBufferBuilder.build(
-                bvh, shapes(bvh, spheres), new Viewpoint(lamp(false, new Vector(0, 3, 0)), null));
+                bvh, shapes(bvh, spheres), lamp(false, new Vector(0, 3, 0)));
         Rays rays = new Rays();
         rays.oy[1] = -3e6;
         assertTrue(buffer.isNearEnough(rays, 0, 1));
@@ -274,7 +270,7 @@ public class LightBufferTest {
             Progress progress = new Progress();
             progress.expect(1000 + ahead);
             progress.add(1000);
-            LazyLightBuffer lazy = new Viewpoints(List.of(new Viewpoint(lamp, null)), progress)
+            LazyLightBuffer lazy = new Viewpoints(List.of(lamp), progress)
                     .buffers(bvh, shapes(bvh, spheres)).get(lamp);
             assertNull(lazy.insteadOfWalks(30), "too few walks to tell");
             LightBuffer built = lazy.insteadOfWalks(970);
