@@ -52,6 +52,23 @@ class ExplainTest extends CommandLine {
     }
 
     @Test
+    @DisplayName("prints what README shows, but for the last of six digits, which rounding may turn")
+    void printsWhatReadmeShows() throws IOException {
+        List<String> page = Files.readAllLines(Path.of("README.md"));
+        int command = page.indexOf("    $ java -jar target/raytracer.jar scenes/first.scene --explain 230,262");
+        assertEquals(0, run("scenes/first.scene", "--explain", "230,262"));
+        List<String> lines = out().lines().toList();
+        for (int i = 0; i < lines.size(); i++) {
+            assertEquals(shortened(page.get(command + 1 + i).strip()), shortened(lines.get(i).strip()));
+        }
+    }
+
+    /** Without what follows the fifth decimal; a number that is nothing but rounding is nothing. */
+    private static String shortened(String line) {
+        return line.replaceAll("-?[0-9.]+E-[0-9]+", "0").replaceAll("(\\.[0-9]{5})[0-9]+", "$1");
+    }
+
+    @Test
     void followsMirrorsAsDeepAsAllowed() {
         assertEquals(0, run(scene, "--explain", "20,16"));
         assertTrue(out().contains("1  ray from") && out().contains("hits sphere (" + scene + ":10)"), out());
