@@ -1,5 +1,6 @@
 package raytracer.speed;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -43,12 +44,19 @@ record Peer(String name, String needs, Commands commands) {
             Files.writeString(folder.resolve("race.dat"), TachyonScene.of(scene));
             Path source = Path.of("src", "test", "peers", "embree.cpp");
             if (isThere("g++")) {
-                // Without Embree's headers this fails, and the peer is then missing.
-                new ProcessBuilder("g++", "-O3", "-march=native", "-o", folder.resolve("embree").toString(),
-                        source.toString(), "-lembree3", "-lpthread").redirectErrorStream(true)
-                        .redirectOutput(ProcessBuilder.Redirect.DISCARD).start().waitFor();
+                compile("g++", "-O3", "-march=native", "-o", folder.resolve("embree").toString(), source.toString(),
+                        "-lembree3", "-lpthread");
+            }
+            if (isThere("javac")) {
+                compile("javac", "-cp", SUNFLOW, "-d", folder.toString(), "src/test/peers/SunflowPeer.java");
             }
             return new Job(folder, scene, samples);
+        }
+
+        /** Without the peer's library this fails, and the peer is then missing. */
+        private static void compile(String... command) throws IOException, InterruptedException {
+            new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+                    .waitFor();
         }
 
         String file(String name) {
@@ -57,6 +65,10 @@ record Peer(String name, String needs, Commands commands) {
     }
 
     static final String JAVA = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+
+    /** Where Debian has it; and our classes, for our parser. */
+    private static final String SUNFLOW = String.join(File.pathSeparator, "target/classes", "/usr/share/java/sunflow.jar",
+            "/usr/share/java/janino.jar");
 
     /** Ours, and everything that Debian has packages of. */
     static List<Peer> all() {
@@ -72,7 +84,10 @@ record Peer(String name, String needs, Commands commands) {
                 new Peer("povray", "povray", job -> with(List.of("povray", "+I" + job.file("race.pov"), "+O"
                         + job.file("povray.png"), "+W" + job.scene.width(), "+H" + job.scene.height(), "-D",
                         "+WT" + threads()), true, job.samples > 1 ? new String[] {"+A0.0", "+AM1", "+R" + job.samples, "-J"}
-                                : new String[] {"-A"})));
+                                : new String[] {"-A"})),
+                new Peer("sunflow", "javac", job -> List.of(JAVA, "-Djava.awt.headless=true", "-cp",
+                        job.folder + File.pathSeparator + SUNFLOW, "SunflowPeer", job.file("race.scene"),
+                        job.file("sunflow.png"), "" + threads(), "" + job.samples)));
     }
 
     /** The tracer of textbooks, in Java and on all cores. */
@@ -101,13 +116,14 @@ record Peer(String name, String needs, Commands commands) {
     }
 
     static boolean isThere(String program) {
-        return program.isEmpty() || Arrays.stream(System.getenv("PATH").split(java.io.File.pathSeparator))
+        return program.isEmpty() || Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
                 .anyMatch(folder -> Files.isExecutable(Path.of(folder, program)));
     }
 
     /** Whether this machine has what it takes. */
     boolean isThere(Job job) {
-        return isThere(needs) && (!name.startsWith("embree") || Files.isExecutable(Path.of(job.file("embree"))));
+        return isThere(needs) && (!name.startsWith("embree") || Files.exists(Path.of(job.file("embree"))))
+                && (!name.equals("sunflow") || Files.exists(Path.of(job.file("SunflowPeer.class"))));
     }
 
     /** Renders; returns the milliseconds of the whole process. */
