@@ -21,7 +21,7 @@ final class AdaptiveSampler implements Sampler {
     /** The samples of each pixel at corners. */
     static final double FIRST_SAMPLES = (double) Samples.CAPACITY / (TILE_SIDE * TILE_SIDE);
 
-    /** Samples of the pixels that only tell what the picture is like: at a first look, and in all. */
+    /** Samples of the pixels that only tell what the picture is like: at a glance, and to judge that by. */
     static final int GLANCE = 4;
     private static final int PILOT = 16;
 

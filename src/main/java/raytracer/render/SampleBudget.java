@@ -14,7 +14,7 @@ import java.util.List;
  * @param closer samples of an unsettled pixel that decide how many it gets
  * @param unseen the variance that so many samples do not see, on average
  * @param k      an unsettled pixel of variance v gets k (v + unseen)^0.4 samples, if that is more
- * @param all    so many samples of every pixel are fewer in all; 0 if not
+ * @param all    so many samples of every pixel take less time than that; 0 if they do not
  * @param mean   samples of a pixel, on average of all
  */
 record SampleBudget(int closer, double unseen, double k, int all, double mean) {
@@ -38,8 +38,8 @@ record SampleBudget(int closer, double unseen, double k, int all, double mean) {
     private static final double MISSED = 10;
 
     /**
-     * What samples of chosen pixels take beside as many of all: the proofs, in samples, and by how much each of the others
-     * takes longer, as fewer of its neighbours are traced with it. Measured on six scenes: 3 to 19, and about that.
+     * What choosing pixels costs: proofs take as long as so many samples of every pixel (measured on six scenes: 3 to
+     * 19), and a sample of a chosen pixel so many times as long, as fewer of its neighbours are traced with it.
      */
     private static final double PROOF = 6;
     private static final double SCATTER = 1.8;

@@ -92,12 +92,6 @@ final class TriangleArray {
         };
     }
 
-    /** |x| + |y| + |z| of the edge between two corners. */
-    double difference(int k, int a, int b) {
-        return Math.abs(corner(k, a, 0) - corner(k, b, 0)) + Math.abs(corner(k, a, 1) - corner(k, b, 1))
-                + Math.abs(corner(k, a, 2) - corner(k, b, 2));
-    }
-
     /**
      * What {@link Rounding#planeOffset} takes of a triangle's plane: |x| + |y| + |z| of the first corner, seen from
      * where a ray starts; or less, if that is far beyond where the ray hits the plane.
