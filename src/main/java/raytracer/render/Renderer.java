@@ -62,7 +62,6 @@ public final class Renderer {
             if (sampling instanceof Sampling.Adaptive adaptive) {
                 return renderAdaptively(adaptive.error(), pool);
             }
-            tracer.expect(tiles.pixels() * sampling.samples());
             return onAllThreads(pool, () -> work(newSampler()));
         } finally {
             pool.shutdownNow();
@@ -94,7 +93,6 @@ public final class Renderer {
             return sampler.counts();
         });
         SampleBudget budget = SampleBudget.plan(blocks, pixels.get(), error, AdaptiveSampler.FIRST_SAMPLES);
-        tracer.expect((long) (tiles.pixels() * budget.mean()));
         return pilot.plus(onAllThreads(pool, () -> work(budget.all() > 0
                 ? new LatticeSampler(tracer.newTileTracer(), new Sampling.Lattice(budget.all(), 0))
                 : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));

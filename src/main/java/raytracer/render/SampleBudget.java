@@ -15,9 +15,8 @@ import java.util.List;
  * @param unseen the variance that so many samples do not see, on average
  * @param k      an unsettled pixel of variance v gets k (v + unseen)^0.4 samples, if that is more
  * @param all    so many samples of every pixel take less time than that; 0 if they do not
- * @param mean   samples of a pixel, on average of all
  */
-record SampleBudget(int closer, double unseen, double k, int all, double mean) {
+record SampleBudget(int closer, double unseen, double k, int all) {
 
     /** The most samples of a pixel. */
     static final int MAX = 4096;
@@ -83,17 +82,16 @@ record SampleBudget(int closer, double unseen, double k, int all, double mean) {
         double low = 0, high = MAX / Math.pow(INVISIBLE, 0.4);
         for (int i = 0; i < BISECTIONS; i++) {
             double middle = (low + high) / 2;
-            if (new SampleBudget(closer, unseen, middle, 0, 0).squares(pilots, c2) > error * error * pixels) {
+            if (new SampleBudget(closer, unseen, middle, 0).squares(pilots, c2) > error * error * pixels) {
                 low = middle;
             } else {
                 high = middle;
             }
         }
-        SampleBudget budget = new SampleBudget(closer, unseen, high, 0, 0);
+        SampleBudget budget = new SampleBudget(closer, unseen, high, 0);
         int all = (int) Math.max(1, Math.min(MAX, Math.ceil(even)));
         double samples = first + pilots.stream().mapToDouble(pilot -> budget.samples(pilot.variance)).sum() / pixels;
-        return PROOF + SCATTER * samples < all ? new SampleBudget(closer, unseen, high, 0, samples)
-                : new SampleBudget(closer, unseen, high, all, all);
+        return PROOF + SCATTER * samples < all ? budget : new SampleBudget(closer, unseen, high, all);
     }
 
     /** Of the sum of all variances, as a part of it: other blocks might have had so much more, hardly twice that. */

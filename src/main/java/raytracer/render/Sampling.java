@@ -9,16 +9,8 @@ public sealed interface Sampling {
     /** The greatest {@link Grid#n}. */
     int MAX = 64;
 
-    /** How many samples a pixel gets, at least. */
-    long samples();
-
     /** @param n along a pixel's side, from 1 to {@link #MAX} */
-    record Grid(int n) implements Sampling {
-        @Override
-        public long samples() {
-            return (long) n * n;
-        }
-    }
+    record Grid(int n) implements Sampling { }
 
     /**
      * Every pixel: a lattice of samples, in rows of no direction.
@@ -26,12 +18,7 @@ public sealed interface Sampling {
      * @param count at least 1
      * @param seed  0, or what the lattices are shifted by: of different ones, errors are different
      */
-    record Lattice(int count, int seed) implements Sampling {
-        @Override
-        public long samples() {
-            return count;
-        }
-    }
+    record Lattice(int count, int seed) implements Sampling { }
 
     /**
      * As many as it takes.
@@ -45,10 +32,5 @@ public sealed interface Sampling {
 
         /** One step of a picture's 256: no visible difference. */
         public static final double INVISIBLE = 1 / 255.0;
-
-        @Override
-        public long samples() {
-            return 1;
-        }
     }
 }

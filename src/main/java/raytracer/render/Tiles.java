@@ -31,11 +31,6 @@ final class Tiles {
         return count;
     }
 
-    /** Of all tiles. */
-    long pixels() {
-        return (long) region.width() * region.height();
-    }
-
     /** The next tile that nobody has; {@code count} or more if there is none. */
     long next(int stride) {
         return next.getAndAdd(stride);

@@ -11,7 +11,6 @@ import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
-import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.primitive.Planes;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.primitive.Triangles;
@@ -21,7 +20,6 @@ import raytracer.tracer.surface.Surfaces;
 /** Sorts a scene's shapes by kind and gives each surface its index: planes first, then spheres, then triangles. */
 final class SurfaceCompiler {
 
-    private final Viewpoints viewpoints;
     private final Mesh mesh;
     private final ForkJoinPool pool;
     private final int[] declared;
@@ -70,8 +68,7 @@ final class SurfaceCompiler {
         }
     }
 
-    SurfaceCompiler(Scene scene, Viewpoints viewpoints, ForkJoinPool pool) {
-        this.viewpoints = viewpoints;
+    SurfaceCompiler(Scene scene, ForkJoinPool pool) {
         this.mesh = scene.mesh();
         this.pool = pool;
         planeOrigins = new Origins(count(scene.shapes(), Shape.Plane.class));
@@ -143,7 +140,7 @@ final class SurfaceCompiler {
             ordered.add(spheres.get(bvh.order()[k]));
             settle(firstSurface + k, sphereOrigins, bvh.order()[k]);
         }
-        return new Spheres(ordered, firstSurface, bvh, viewpoints);
+        return new Spheres(ordered, firstSurface, bvh);
     }
 
     private Surfaces triangles() {
@@ -152,7 +149,7 @@ final class SurfaceCompiler {
         for (int k = 0; k < mesh.triangles(); k++) {
             settle(firstSurface + k, triangleOrigins, bvh.order()[k]);
         }
-        return new Triangles(mesh, firstSurface, bvh, viewpoints, pool);
+        return new Triangles(mesh, firstSurface, bvh, pool);
     }
 
     private void settle(int surface, Origins from, int k) {

@@ -1,12 +1,12 @@
 package raytracer.tracer;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.search.ClosestHit;
@@ -30,7 +30,7 @@ public final class TileTracer {
     private static final int COLD_CAPACITY = 40;
     private static final int COLD_SAMPLES = 4000 * COLD_CAPACITY;
 
-    private final Progress progress;
+    private final AtomicLong traced;
 
     private final Pinhole pinhole;
     private final List<Surfaces> surfaces;
@@ -67,11 +67,11 @@ public final class TileTracer {
     private long reflectionCount;
 
     TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
-            Progress progress) {
+            AtomicLong traced) {
         this.surfaces = surfaces;
         this.materials = table.materials();
         this.maxDepth = maxDepth;
-        this.progress = progress;
+        this.traced = traced;
         rays = new Rays();
         ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
         groups = new ShadingGroups(table);
@@ -121,7 +121,7 @@ public final class TileTracer {
 
     /** How many rays are traced together. */
     private int max() {
-        return progress.done() < COLD_SAMPLES ? COLD_CAPACITY : Batch.CAPACITY;
+        return traced.get() < COLD_SAMPLES ? COLD_CAPACITY : Batch.CAPACITY;
     }
 
     private void trace(int from, int to) {
@@ -140,7 +140,7 @@ public final class TileTracer {
         Kernel.run(new Kernel.Fill(samples.blue, 0), from, to);
         rays.start(aiming, samples, from, to - from);
         primaryCount += to - from;
-        progress.add(to - from);
+        traced.addAndGet(to - from);
     }
 
     // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.

@@ -3,13 +3,12 @@ package raytracer.tracer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.Progress;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
@@ -28,16 +27,18 @@ public final class Tracer {
     private final SurfaceTable table;
     private final List<LightSource> lights;
     private final int maxDepth;
-    private final Progress progress;
+
+    /** Samples that all threads together have traced. */
+    private final AtomicLong traced;
 
     private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
-            Progress progress) {
+            AtomicLong traced) {
         this.pinhole = pinhole;
         this.surfaces = surfaces;
         this.table = table;
         this.lights = lights;
         this.maxDepth = maxDepth;
-        this.progress = progress;
+        this.traced = traced;
     }
 
     /** @param threads how many threads build trees; what is built does not depend on it */
@@ -45,15 +46,14 @@ public final class Tracer {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
             Pinhole pinhole = new Pinhole(scene);
-            Progress progress = new Progress();
             List<LightSource> lights = new ArrayList<>();
             for (Light light : scene.lights()) {
                 lights.add(LightSource.of(light));
             }
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(lights, progress), pool);
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, pool);
             List<Surfaces> surfaces = compiler.surfaces();
             return new Tracer(pinhole, surfaces, compiler.table(), List.copyOf(lights), scene.maxDepth(),
-                    progress);
+                    new AtomicLong());
         } finally {
             pool.shutdown();
         }
@@ -61,17 +61,12 @@ public final class Tracer {
 
     /** The same scene, but that paths from the eye hit at most so many surfaces. */
     public Tracer withMaxDepth(int newMaxDepth) {
-        return new Tracer(pinhole, surfaces, table, lights, newMaxDepth, progress);
+        return new Tracer(pinhole, surfaces, table, lights, newMaxDepth, traced);
     }
 
     /** The same scene in a picture so many times as wide and as high. */
     public Tracer enlarged(int factor) {
-        return new Tracer(pinhole.enlarged(factor), surfaces, table, lights, maxDepth, progress);
-    }
-
-    /** Announces that so many more samples will be traced: it decides by that what is worth preparing. */
-    public void expect(long samples) {
-        progress.expect(samples);
+        return new Tracer(pinhole.enlarged(factor), surfaces, table, lights, maxDepth, traced);
     }
 
     /** The picture's, in pixels. */
@@ -97,6 +92,6 @@ public final class Tracer {
 
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
-        return new TileTracer(pinhole, surfaces, table, lights, maxDepth, progress);
+        return new TileTracer(pinhole, surfaces, table, lights, maxDepth, traced);
     }
 }

@@ -136,7 +136,7 @@ final class Measurement {
         scenes.forEach(s -> tracers.add(Tracer.compile(s, 1)));
         Image image = new Image(scenes.get(0).width(), scenes.get(0).height());
         double[][] times = new double[scenes.size()][ROUNDS];
-        for (int round = -WARM_UP - untilLightBuffersAreBuilt(scenes.get(0)); round < ROUNDS; round++) {
+        for (int round = -WARM_UP; round < ROUNDS; round++) {
             for (int k = 0; k < scenes.size(); k++) {
                 long start = System.nanoTime();
                 counts[k] = Rendering.of(tracers.get(k), 1, image).render();
@@ -146,11 +146,6 @@ final class Measurement {
             }
         }
         return Arrays.stream(times).mapToDouble(Measurement::median).toArray();
-    }
-
-    /** In rounds: each of which has as many walks through the tree as pixels, or half as many. */
-    private static int untilLightBuffersAreBuilt(Scene scene) {
-        return 2 * scene.mesh().triangles() / (scene.width() * scene.height());
     }
 
     private String row(String when, double parse, double build, double trace, double write, double whole) {

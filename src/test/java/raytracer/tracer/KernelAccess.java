@@ -6,7 +6,6 @@ import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.lightbuffer.LightBufferTest;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.rays.Rays;
 
@@ -27,7 +26,7 @@ public final class KernelAccess {
      */
     public KernelAccess(String shapes, Vector[] origin, Vector[] direction, int[] targets) throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, LightBufferTest.NONE, ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
         surfaces = (BoundedSurfaces) compiler.surfaces().get(0);
         int[] slotOf = new int[compiler.table().declared().length];
         for (int slot = 0; slot < slotOf.length; slot++) {

@@ -25,7 +25,6 @@ import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.TreeSpace;
-import raytracer.tracer.lightbuffer.LightBufferTest;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.Rays;
@@ -145,8 +144,8 @@ class LawsTest {
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
         Bvh none = new Bvh(tree.order(), 500, new float[0], Bvh.EMPTY, new TreeSpace(0, 0, 0, 1));
-        Surfaces with = new Spheres(ordered, 0, tree, LightBufferTest.NONE);
-        Surfaces without = new Spheres(ordered, 0, none, LightBufferTest.NONE);
+        Surfaces with = new Spheres(ordered, 0, tree);
+        Surfaces without = new Spheres(ordered, 0, none);
         int met = 0;
         for (int i = 0; i < 5000; i++) {
             Vector o = new Vector(coordinate(random, 3), coordinate(random, 3), coordinate(random, 3));

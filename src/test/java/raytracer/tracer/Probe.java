@@ -7,7 +7,6 @@ import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.lightbuffer.LightBufferTest;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
@@ -34,7 +33,7 @@ public final class Probe {
 
     public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, LightBufferTest.NONE, ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
         surfaces = compiler.surfaces();
         slots = compiler.table();
         rays = new Rays();

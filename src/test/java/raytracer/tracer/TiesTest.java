@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -21,12 +22,10 @@ import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.Progress;
 import raytracer.tracer.rays.Samples;
 
 @DisplayName("Of surfaces that rounding cannot tell apart")
@@ -51,30 +50,16 @@ class TiesTest {
             for (Light light : scene.lights()) {
                 lamps.add(LightSource.of(light));
             }
-            Progress progress = new Progress();
-            progress.expect(Integer.MAX_VALUE);
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, new Viewpoints(lamps, progress), ForkJoinPool.commonPool());
+            SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
             surfaces = compiler.surfaces();
             slots = compiler.table();
             maxDepth = scene.maxDepth();
         }
 
-        /** Makes it so that every shadow ray that would walk the tree looks into a light buffer instead; returns how many. */
-        int buildLightBuffers() {
-            int built = 0;
-            for (Surfaces kind : surfaces) {
-                for (LightSource lamp : lamps) {
-                    built += kind instanceof BoundedSurfaces bounded
-                            && bounded.lightBuffer(lamp).insteadOfWalks(Integer.MAX_VALUE) != null ? 1 : 0;
-                }
-            }
-            return built;
-        }
-
         /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new Progress());
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
             Samples samples = new Samples();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
@@ -93,7 +78,7 @@ class TiesTest {
             double[] red = new double[WIDTH * HEIGHT];
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new Progress());
+            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
             Samples samples = new Samples();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));
@@ -108,10 +93,9 @@ class TiesTest {
         }
     }
 
-    @ParameterizedTest(name = "{0}: a ray sees the same by beam, by its own walk and by light buffer")
+    @ParameterizedTest(name = "{0}: a ray sees the same by beam and by its own walk")
     @EnumSource
     void everySearchFindsTheSame(NearTies family) throws Exception {
-        int built = 0;
         for (int seed = 0; seed < SEEDS; seed++) {
             for (double offset : OFFSETS) {
                 String text = family.scene(seed, offset, WIDTH, HEIGHT);
@@ -120,13 +104,9 @@ class TiesTest {
                 String name = family + " " + seed + " at " + offset;
                 assertArrayEquals(tiled, scene.tiled(1), name + ": one ray a tile");
                 assertArrayEquals(tiled, scene.scattered(), name + ": walks");
-                built += scene.buildLightBuffers();
-                assertArrayEquals(tiled, scene.scattered(), name + ": light buffers");
-                assertArrayEquals(tiled, scene.tiled(Batch.SIDE), name + ": again");
                 assertTrue(Arrays.stream(tiled).distinct().count() > 20, name + " is all alike");
             }
         }
-        assertTrue(family == NearTies.PLANES || built > 0, "light buffers were built");
     }
 
     @Test

@@ -77,6 +77,11 @@ public final class BvhWalk {
         return true;
     }
 
+    /** Leaves out all of the tree but one node or leaf; to be called before the first leaf is taken. */
+    public void enter(int child) {
+        stack[0] = child & 0xFFFFFFFFL;
+    }
+
     /** How far along the ray, in tree space, it was taken up. */
     public double start() {
         return start;

@@ -9,7 +9,6 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.PowerOfPoint;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -29,8 +28,8 @@ public final class Spheres extends BoundedSurfaces {
     private final SphereArray data;
 
     /** @param spheres in the order of the tree's leaves */
-    public Spheres(List<Shape.Sphere> spheres, int firstSurface, Bvh bvh, Viewpoints viewpoints) {
-        super("spheres", firstSurface, bvh, viewpoints);
+    public Spheres(List<Shape.Sphere> spheres, int firstSurface, Bvh bvh) {
+        super("spheres", firstSurface, bvh);
         data = SphereArray.of(spheres);
     }
 

@@ -9,7 +9,6 @@ import raytracer.tracer.bvh.ParallelRange;
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -39,8 +38,8 @@ public final class Triangles extends BoundedSurfaces {
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
-    public Triangles(Mesh mesh, int firstSurface, Bvh bvh, Viewpoints viewpoints, ForkJoinPool pool) {
-        super("triangles", firstSurface, bvh, viewpoints);
+    public Triangles(Mesh mesh, int firstSurface, Bvh bvh, ForkJoinPool pool) {
+        super("triangles", firstSurface, bvh);
         data = new TriangleArray(mesh, bvh.order());
         sieve = new TriangleSieve(mesh, bvh);
         ParallelRange.run(pool, 0, bvh.order().length, (from, to) -> {

@@ -2,8 +2,6 @@ package raytracer.tracer.search;
 
 import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.lightbuffer.LazyLightBuffer;
-import raytracer.tracer.lightbuffer.LightBuffer;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.BoundedSurfaces;
@@ -11,16 +9,16 @@ import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.UnboundedSurfaces;
 
-/** Occludes the shadow rays that surfaces of one kind block. */
+/**
+ * Occludes the shadow rays that surfaces of one kind block. Before it walks the tree, a ray tries the surface that last
+ * blocked another: neighbours are mostly in the same shadow (a shadow cache).
+ */
 public final class AnyHit extends Search {
 
     private final ShadowRays shadows;
 
-    /** Where rays are looked up, if they are. */
-    private LightBuffer buffer;
-
-    private final Kernel findCells = this::findCells;
-    private final Kernel lookUp = this::lookUp;
+    /** The surface that last blocked a ray; negative if none has. */
+    private int lastBlocker = -1;
 
     /** What occludes every shadow ray that a surface of one kind blocks between its ends. */
     public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
@@ -34,63 +32,9 @@ public final class AnyHit extends Search {
         this.shadows = shadows;
     }
 
-    /** What mirrors show is too scattered for a beam, nearly always. */
-    @Override
-    boolean isDoneWithoutBeam(int from, int to) {
-        LazyLightBuffer lazy = rays.leaveEye ? null : surfaces.lightBuffer(shadows.light);
-        LightBuffer built = lazy == null ? null : lazy.ifBuilt();
-        if (built == null || !built.isNearEnough(rays, from, to)) {
-            return false;
-        }
-        lookUp(built, from, to);
-        return true;
-    }
-
     @Override
     void encloseInBeam(int from, int to) {
         space.beam().enclose(rays, shadows.light, from, to);
-    }
-
-    /** Each ray looks up what may be in its way, if there is a light buffer to look into, or walks the tree. */
-    @Override
-    void searchEach(int from, int to) {
-        LazyLightBuffer lazy = surfaces.lightBuffer(shadows.light);
-        LightBuffer built = lazy == null ? null : lazy.insteadOfWalks(to - from);
-        if (built != null && built.isNearEnough(rays, from, to)) {
-            lookUp(built, from, to);
-        } else {
-            super.searchEach(from, to);
-        }
-    }
-
-    private void lookUp(LightBuffer in, int from, int to) {
-        buffer = in;
-        Kernel.run(findCells, from, to);
-        Kernel.run(lookUp, from, to);
-    }
-
-    private void findCells(int from, int to) {
-        buffer.find(rays, from, to, space.cells());
-    }
-
-    private void lookUp(int from, int to) {
-        LightBuffer.Cells cells = space.cells();
-        for (int i = from; i < to; i++) {
-            if (cells.first[i] < cells.end[i] && isSearching(i)) {
-                double x = cells.x[i], y = cells.y[i], z = cells.z[i];
-                setLine(x, y, z, Math.abs(x) + Math.abs(y) + Math.abs(z), i);
-                tryCell(i, cells);
-            }
-        }
-    }
-
-    private void tryCell(int ray, LightBuffer.Cells cells) {
-        for (int entry = cells.first[ray]; entry < cells.end[ray] && buffer.isNearer(entry, ray, cells); entry++) {
-            int k = buffer.primitive(entry);
-            if (surfaces.mayHit(k, k + 1, space.surfaces()) != 0 && isLast(ray, k)) {
-                return;
-            }
-        }
     }
 
     @Override
@@ -104,8 +48,8 @@ public final class AnyHit extends Search {
     }
 
     @Override
-    boolean isSearching(int ray) {
-        return shadows.unoccluded[ray];
+    boolean mustWalk(int ray) {
+        return shadows.unoccluded[ray] && !(lastBlocker >= 0 && isLast(ray, lastBlocker));
     }
 
     @Override
@@ -115,9 +59,12 @@ public final class AnyHit extends Search {
 
     @Override
     boolean isLast(int ray, int k) {
-        boolean blocked = surfaces.blocks(rays, shadows, ray, k);
-        shadows.unoccluded[ray] = !blocked;
-        return blocked;
+        if (!surfaces.blocks(rays, shadows, ray, k)) {
+            return false;
+        }
+        shadows.unoccluded[ray] = false;
+        lastBlocker = k;
+        return true;
     }
 
     @Override

@@ -40,6 +40,7 @@ public final class Beam {
 
     private final int[] primitives = new int[MAX + Bvh.LEAF_SIZE];
     private int count;
+    private int entry;
     private int[] stack = new int[64];
 
     /** Takes in a tile's rays, from one index to another, as far as their distances. */
@@ -116,6 +117,7 @@ public final class Beam {
     /** Finds the primitives in the tree that the rays may hit; false if they are too many, or the rays too unlike. */
     boolean gather(Bvh bvh) {
         count = 0;
+        entry = bvh.root();
         if (bvh.root() == Bvh.EMPTY) {
             return true;
         }
@@ -129,6 +131,9 @@ public final class Beam {
         stack[stacked++] = bvh.root();
         while (stacked > 0) {
             int child = stack[--stacked];
+            if (stacked == 0 && count == 0) {
+                entry = child;
+            }
             if (child < 0) {
                 for (int k = Bvh.leafFirst(child); k < Bvh.leafEnd(child); k++) {
                     primitives[count++] = k;
@@ -151,6 +156,11 @@ public final class Beam {
 
     int count() {
         return count;
+    }
+
+    /** The deepest node or leaf that holds all that the rays may hit: where their own walks may begin. */
+    int entry() {
+        return entry;
     }
 
     /** Primitive number i of those found: its place in the tree's order. */

@@ -21,11 +21,6 @@ public final class ClosestHit extends Search {
     }
 
     @Override
-    boolean isDoneWithoutBeam(int from, int to) {
-        return false;
-    }
-
-    @Override
     void encloseInBeam(int from, int to) {
         space.beam().enclose(rays, from, to);
     }
@@ -41,7 +36,7 @@ public final class ClosestHit extends Search {
     }
 
     @Override
-    boolean isSearching(int ray) {
+    boolean mustWalk(int ray) {
         return true;
     }
 

@@ -34,9 +34,6 @@ abstract class Search implements Kernel {
         bvh = surfaces.bvh();
     }
 
-    /** Whether there is no need for a beam, and all has been done. */
-    abstract boolean isDoneWithoutBeam(int from, int to);
-
     abstract void encloseInBeam(int from, int to);
 
     /** Computes what {@link #tryAll} needs to know of rays. */
@@ -45,8 +42,8 @@ abstract class Search implements Kernel {
     /** Tries one surface with all rays. */
     abstract void tryAll(int from, int to, int k);
 
-    /** Whether there is anything to find for a ray. */
-    abstract boolean isSearching(int ray);
+    /** Whether only a walk can tell what there is for a ray. */
+    abstract boolean mustWalk(int ray);
 
     /** What is farther away along a ray does not matter. */
     abstract double maxDistance(int ray);
@@ -62,12 +59,9 @@ abstract class Search implements Kernel {
         if (bvh.oversized() > 0) {
             Kernel.run(tryOversized, from, to);
         }
-        if (isDoneWithoutBeam(from, to)) {
-            return;
-        }
         encloseInBeam(from, to);
         if (!space.beam().gather(bvh)) {
-            searchEach(from, to);
+            Kernel.run(walk, from, to);
         } else if (space.beam().count() > 0) {
             Kernel.run(tryGathered, from, to);
         }
@@ -87,16 +81,11 @@ abstract class Search implements Kernel {
         }
     }
 
-    /** Ray by ray, after the beam of all has given up. */
-    void searchEach(int from, int to) {
-        Kernel.run(walk, from, to);
-    }
-
     // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
 
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (isSearching(i)) {
+            if (mustWalk(i)) {
                 walk(i);
             }
         }
@@ -105,16 +94,13 @@ abstract class Search implements Kernel {
     private void walk(int i) {
         BvhWalk walk = space.surfaces().walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], direction.x()[i], direction.y()[i], direction.z()[i])) {
-            setLine(walk.x(), walk.y(), walk.z(), walk.start(), i);
+            walk.enter(space.beam().entry());
+            if (surfaces.hasSieve()) {
+                SieveLine line = space.surfaces().line;
+                line.setPoint(walk.x(), walk.y(), walk.z(), walk.start());
+                setDirection(line, i);
+            }
             tryLeaves(i, walk);
-        }
-    }
-
-    final void setLine(double x, double y, double z, double far, int ray) {
-        if (surfaces.hasSieve()) {
-            SieveLine line = space.surfaces().line;
-            line.setPoint(x, y, z, far);
-            setDirection(line, ray);
         }
     }
 

@@ -1,12 +1,11 @@
 package raytracer.tracer.search;
 
-import raytracer.tracer.lightbuffer.LightBuffer;
 import raytracer.tracer.surface.Workspace;
 
 /** What one thread needs to search for surfaces. */
-public record SearchWorkspace(Workspace surfaces, Beam beam, LightBuffer.Cells cells) {
+public record SearchWorkspace(Workspace surfaces, Beam beam) {
 
     public SearchWorkspace() {
-        this(new Workspace(), new Beam(), new LightBuffer.Cells());
+        this(new Workspace(), new Beam());
     }
 }

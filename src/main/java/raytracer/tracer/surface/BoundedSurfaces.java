@@ -1,34 +1,36 @@
 package raytracer.tracer.surface;
 
-import java.util.Map;
+import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.bvh.TreeFacts;
-import raytracer.tracer.lightbuffer.BoundingShapes;
-import raytracer.tracer.lightbuffer.LazyLightBuffer;
-import raytracer.tracer.lightbuffer.Viewpoints;
 import raytracer.tracer.rays.Candidates;
-import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
 /** Surfaces of a finite size, many of them: a tree finds the few that a ray may hit. */
-public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
+public abstract class BoundedSurfaces implements Surfaces {
 
     private final String name;
     private final int firstSurface;
     private final int count;
     private final Bvh bvh;
-    private final Map<LightSource, LazyLightBuffer> lightBuffers;
 
     /** @param name of the kind, in the plural */
-    protected BoundedSurfaces(String name, int firstSurface, Bvh bvh, Viewpoints viewpoints) {
+    protected BoundedSurfaces(String name, int firstSurface, Bvh bvh) {
         this.name = name;
         this.firstSurface = firstSurface;
         this.bvh = bvh;
         count = bvh.order().length;
-        lightBuffers = viewpoints.buffers(bvh, this);
     }
+
+    /**
+     * What bounds the surface with this number among these: it is no farther than {@link #radius} from the triangle of
+     * these three corners, in world space. For something round all three are its centre.
+     */
+    public abstract Vector corner(int k, int corner);
+
+    public abstract double radius(int k);
 
     /**
      * The distance at which a ray hits the surface with this number among these; NaN if it does not, or farther away
@@ -87,11 +89,6 @@ public abstract class BoundedSurfaces implements Surfaces, BoundingShapes {
 
     public final Bvh bvh() {
         return bvh;
-    }
-
-    /** Null if there is none for a light, nor will be. */
-    public final LazyLightBuffer lightBuffer(LightSource light) {
-        return lightBuffers.get(light);
     }
 
     /** The index of the surface with this number among these. */

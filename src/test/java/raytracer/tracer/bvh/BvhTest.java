@@ -44,8 +44,14 @@ public class BvhTest {
     }
 
     private static BitSet visited(Bvh bvh, Vector o, Vector d, double limit) {
+        return visited(bvh, bvh.root(), o, d, limit);
+    }
+
+    /** The things that a ray comes to below one node, and those that every ray comes to. */
+    public static BitSet visited(Bvh bvh, int entry, Vector o, Vector d, double limit) {
         BvhWalk walk = new BvhWalk();
         if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
+            walk.enter(entry);
         }
         BitSet things = new BitSet();
         for (int k = 0; k < bvh.oversized(); k++) {

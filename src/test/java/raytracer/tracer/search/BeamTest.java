@@ -127,6 +127,39 @@ class BeamTest {
         assertTrue(met > 300, met + " met");
     }
 
+    @ParameterizedTest(name = "knows where its rays'' walks may begin: origins {0} apart, directions {1} apart")
+    @CsvSource({"0, .002", "0, .1", ".02, .005", ".5, .3"})
+    void knowsWhereWalksMayBegin(double apart, double spread) {
+        double[][] boxes = BvhTest.cubes(5000, 2, .04, 0, 1);
+        Bvh bvh = BvhTest.build(boxes, 2);
+        Random random = new Random(5);
+        int deep = 0, met = 0;
+        for (int tile = 0; tile < 200; tile++) {
+            Vector axis = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector start = new Vector(random.nextDouble() - .5, random.nextDouble() - .5, random.nextDouble() - .5);
+            for (int i = 0; i < RAYS; i++) {
+                Vector from = new Vector(start.x() + apart * random.nextDouble(), start.y() + apart * random.nextDouble(),
+                        start.z() + apart * random.nextDouble());
+                set(i, from, new Vector(axis.x() + spread * random.nextGaussian(), axis.y() + spread * random.nextGaussian(),
+                        axis.z() + spread * random.nextGaussian()).unit(), .1 * random.nextDouble());
+            }
+            gather(bvh);
+            deep += beam.entry() != bvh.root() ? 1 : 0;
+            for (int i = 0; i < RAYS; i++) {
+                Vector from = new Vector(o[0][i], o[1][i], o[2][i]), way = new Vector(d[0][i], d[1][i], d[2][i]);
+                BitSet visited = BvhTest.visited(bvh, beam.entry(), from, way, distance[i]);
+                for (int k = 0; k < boxes.length; k++) {
+                    if (BvhTest.meets(boxes[k], from, way, distance[i])) {
+                        assertTrue(visited.get(k), "tile " + tile + ", ray " + i + " misses box " + k);
+                        met++;
+                    }
+                }
+            }
+        }
+        assertTrue(met > 500, met + " met");
+        assertTrue(apart > .1 || deep > 100, "only " + deep + " below the root");
+    }
+
     @Test
     void givesUpWhenItsRaysGoAllWays() {
         Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
