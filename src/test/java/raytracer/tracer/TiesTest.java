@@ -127,4 +127,17 @@ class TiesTest {
             assertEquals(wanted, seen, Arrays.toString(order));
         }
     }
+
+    @Test
+    @DisplayName("the first of ten thousand identical ones is seen")
+    void identical() throws Exception {
+        String triangles = "tri 0 1 2\n".repeat(10_000), spheres = "sphere 0 0 -2 .5\n".repeat(10_000);
+        for (String shapes : new String[] {"sphere 5 0 0 1\n" + spheres,
+            "maxverts 3\nvertex -1 -1 -2\nvertex 1 -1 -2\nvertex 0 1 -2\nplane 0 0 9 0 0 1\n" + triangles}) {
+            Probe probe = new Probe(shapes);
+            for (int i = 0; i < 1000; i++) {
+                assertEquals(1, probe.shoot(new Vector(0, 0, 0), new Vector(0, 0, -1)).shape());
+            }
+        }
+    }
 }

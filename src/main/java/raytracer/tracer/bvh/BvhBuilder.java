@@ -26,11 +26,13 @@ public final class BvhBuilder {
 
     private final int[] primitives;
     private final float[] boxes;
+    private final Bounds bounds;
     private final int leafSize;
 
-    private BvhBuilder(int[] primitives, float[] boxes, int leafSize) {
+    private BvhBuilder(int[] primitives, float[] boxes, Bounds bounds, int leafSize) {
         this.primitives = primitives;
         this.boxes = boxes;
+        this.bounds = bounds;
         this.leafSize = leafSize;
     }
 
@@ -57,7 +59,7 @@ public final class BvhBuilder {
         int root = Bvh.leaf(oversized, count - oversized);
         if (count - oversized > leafSize) {
             Range whole = new Range(oversized, count, 0, null);
-            Subtree subtree = new BvhBuilder(order, boxes, leafSize).new Subtree(whole, oversized);
+            Subtree subtree = new BvhBuilder(order, boxes, bounds, leafSize).new Subtree(whole, oversized);
             nodes = whole.size() < PARALLEL_SIZE ? subtree.compute() : pool.invoke(subtree);
             root = 0;
         }
@@ -159,11 +161,28 @@ public final class BvhBuilder {
                 nodes.setBox(node, k, child.box);
                 if (child.size() <= leafSize) {
                     nodes.setChild(node, k, Bvh.leaf(child.from, child.size()));
+                } else if (areAllSame(child)) {
+                    nodes.setChild(node, k, Bvh.leaf(child.from, 1));
                 } else {
                     parts.push(new Part(node, k, child, child.size() < PARALLEL_SIZE ? null : fork(child)));
                 }
             }
             return node;
+        }
+
+        /** If so, the first declared comes to the front: it wins every tie, so a leaf of that one is enough. */
+        private boolean areAllSame(Range range) {
+            int least = range.from;
+            for (int i = range.from + 1; i < range.to; i++) {
+                if (!bounds.areSame(primitives[range.from], primitives[i])) {
+                    return false;
+                }
+                least = primitives[i] < primitives[least] ? i : least;
+            }
+            int first = primitives[least];
+            primitives[least] = primitives[range.from];
+            primitives[range.from] = first;
+            return true;
         }
 
         private Subtree fork(Range large) {

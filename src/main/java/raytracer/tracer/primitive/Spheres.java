@@ -34,15 +34,25 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     public static Bounds bounds(List<Shape.Sphere> spheres) {
-        return (k, box) -> {
-            Vector c = spheres.get(k).centre();
-            double r = spheres.get(k).radius();
-            box[0] = c.x() - r;
-            box[1] = c.y() - r;
-            box[2] = c.z() - r;
-            box[3] = c.x() + r;
-            box[4] = c.y() + r;
-            box[5] = c.z() + r;
+        return new Bounds() {
+            @Override
+            public void of(int k, double[] box) {
+                Vector c = spheres.get(k).centre();
+                double r = spheres.get(k).radius();
+                box[0] = c.x() - r;
+                box[1] = c.y() - r;
+                box[2] = c.z() - r;
+                box[3] = c.x() + r;
+                box[4] = c.y() + r;
+                box[5] = c.z() + r;
+            }
+
+            @Override
+            public boolean areSame(int k, int other) {
+                Vector a = spheres.get(k).centre(), b = spheres.get(other).centre();
+                return a.x() == b.x() && a.y() == b.y() && a.z() == b.z()
+                        && spheres.get(k).radius() == spheres.get(other).radius();
+            }
         };
     }
 

@@ -37,7 +37,18 @@ public class BvhTest {
     public static Bvh build(double[][] boxes, int threads) {
         ForkJoinPool pool = new ForkJoinPool(threads);
         try {
-            return BvhBuilder.build(boxes.length, (k, box) -> System.arraycopy(boxes[k], 0, box, 0, 6), Bvh.LEAF_SIZE, pool);
+            Bounds bounds = new Bounds() {
+                @Override
+                public void of(int k, double[] box) {
+                    System.arraycopy(boxes[k], 0, box, 0, 6);
+                }
+
+                @Override
+                public boolean areSame(int k, int other) {
+                    return Arrays.equals(boxes[k], boxes[other]);
+                }
+            };
+            return BvhBuilder.build(boxes.length, bounds, Bvh.LEAF_SIZE, pool);
         } finally {
             pool.shutdown();
         }
@@ -192,8 +203,10 @@ public class BvhTest {
     @Test
     void takesThingsThatAllHaveOneCentre() {
         double[][] boxes = new double[10_000][];
-        Arrays.fill(boxes, new double[] {-1, -1, -1, 1, 1, 1});
-        boxes[0] = new double[] {-9, -9, -9, 9, 9, 9};
+        for (int k = 0; k < boxes.length; k++) {
+            double half = 1 + 8.0 * k / boxes.length;
+            boxes[k] = new double[] {-half, -half, -half, half, half, half};
+        }
         BitSet visited = visited(build(boxes, 2), new Vector(0, 0, 50), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
         assertEquals(10_000, visited.cardinality());
     }
@@ -230,5 +243,22 @@ public class BvhTest {
         Bvh bvh = build(boxes, 2);
         assertEquals(beside, bvh.oversized());
         assertEquals(beside, IntStream.range(0, bvh.oversized()).filter(k -> bvh.order()[k] == 70_000).count());
+    }
+
+    @Test
+    void hasTheFirstOfManyThatAreTheSame() {
+        double[][] boxes = cubes(3000, 2, .1, 0, 7);
+        for (int k = 200; k < boxes.length; k++) {
+            // The same three over and over: 11, 12 and 13.
+            boxes[k] = boxes[11 + k % 3];
+        }
+        Bvh bvh = build(boxes, 2);
+        for (int k = 11; k < 14; k++) {
+            Vector middle = new Vector((boxes[k][0] + boxes[k][3]) / 2, (boxes[k][1] + boxes[k][4]) / 2,
+                    (boxes[k][2] + boxes[k][5]) / 2);
+            BitSet visited = visited(bvh, middle, new Vector(0, 0, 1), 1e-3);
+            assertTrue(visited.get(k), "the first is there");
+            assertTrue(visited.cardinality() < 200, visited.cardinality() + " are tried");
+        }
     }
 }
