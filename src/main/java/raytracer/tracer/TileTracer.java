@@ -28,8 +28,9 @@ public final class TileTracer {
      * (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
     private static final int COLD_CAPACITY = 40;
-    private static final int COLD_SAMPLES = 4000 * COLD_CAPACITY;
+    private static final int COLD_RAYS = 5000 * COLD_CAPACITY;
 
+    /** How many rays all threads together have traced, but for shadow rays. */
     private final AtomicLong traced;
 
     private final Pinhole pinhole;
@@ -121,13 +122,14 @@ public final class TileTracer {
 
     /** How many rays are traced together. */
     private int max() {
-        return traced.get() < COLD_SAMPLES ? COLD_CAPACITY : Batch.CAPACITY;
+        return traced.get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
     }
 
     private void trace(int from, int to) {
         Kernel.run(starting, from, to);
         depth = 1;
         while (rays.count > 0) {
+            traced.addAndGet(rays.count);
             for (Runnable step : steps) {
                 step.run();
             }
@@ -140,7 +142,6 @@ public final class TileTracer {
         Kernel.run(new Kernel.Fill(samples.blue, 0), from, to);
         rays.start(aiming, samples, from, to - from);
         primaryCount += to - from;
-        traced.addAndGet(to - from);
     }
 
     // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.

@@ -28,7 +28,7 @@ public final class Tracer {
     private final List<LightSource> lights;
     private final int maxDepth;
 
-    /** Samples that all threads together have traced. */
+    /** How many rays all threads together have traced, but for shadow rays. */
     private final AtomicLong traced;
 
     private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
