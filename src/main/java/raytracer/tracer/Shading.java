@@ -36,24 +36,11 @@ final class Shading {
 
     private final Kernel findLambert;
     private final Kernel findHighlight;
-    private final Kernel limitLambert;
-    private final Kernel cutHighlight;
-    private final Kernel multiplyPower;
-    private final Kernel squareHighlight;
-    private final Kernel invertPower;
-    private final Kernel limitPower;
-
-    // By ray: the light that is left, none or any; the highlight to the power of the shininess.
-    private final double[] max = new double[Batch.CAPACITY];
-    private final double[] power = new double[Batch.CAPACITY];
 
     // By ray: the result.
     final double[] red = new double[Batch.CAPACITY];
     final double[] green = new double[Batch.CAPACITY];
     final double[] blue = new double[Batch.CAPACITY];
-
-    private final Term diffuseTerm;
-    private final Term specularTerm;
 
     /** @param rays what is shaded, when it has arrived */
     Shading(List<Surfaces> surfaces, List<LightSource> lights, Rays rays, SearchWorkspace space) {
@@ -68,56 +55,12 @@ final class Shading {
         findLambert = new Kernel.Dot(rays.normal, s.direction, s.lambert);
         // The half vector, not of length 1: the cosine is divided by its length instead.
         Vectors half = new Vectors();
+        double[] length = new double[Batch.CAPACITY];
         findHighlight = new Kernel.InTurn(
                 Kernel.subtract(s.direction, rays.direction, half),
                 new Kernel.Dot(rays.normal, half, s.highlight),
-                new Kernel.Length(half, power),
-                new Kernel.Divide(s.highlight, power, s.highlight));
-        limitLambert = new Kernel.InTurn(new Kernel.Cut(s.lambert), new Kernel.Limit(s.lambert, max));
-        cutHighlight = new Kernel.Cut(s.highlight);
-        multiplyPower = new Kernel.Multiply(power, s.highlight);
-        squareHighlight = new Kernel.Multiply(s.highlight, s.highlight);
-        invertPower = new Kernel.Invert(power);
-        limitPower = new Kernel.Limit(power, max);
-        diffuseTerm = new Term(s.lambert);
-        specularTerm = new Term(power);
-    }
-
-    /** Adds light times colour times a number by ray to the result. */
-    private final class Term implements Kernel {
-        private final double[] by;
-        private Colour ofLight;
-        private Colour ofSurface;
-
-        Term(double[] by) {
-            this.by = by;
-        }
-
-        void add(Colour light, Colour surface, int from, int to) {
-            ofLight = light;
-            ofSurface = surface;
-            Kernel.run(this, from, to);
-        }
-
-        @Override
-        public void run(int from, int to) {
-            add(red, ofLight.red(), ofSurface.red(), from, to);
-            add(green, ofLight.green(), ofSurface.green(), from, to);
-            add(blue, ofLight.blue(), ofSurface.blue(), from, to);
-        }
-
-        /** Nothing of something infinite is nothing. */
-        private void add(double[] out, double f, double g, int from, int to) {
-            if (f != 0 && g != 0) {
-                addScaled(out, f, g, by, from, to);
-            }
-        }
-    }
-
-    private static void addScaled(double[] out, double f, double g, double[] by, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] += f * (g * by[i]);
-        }
+                new Kernel.Length(half, length),
+                new Kernel.Divide(s.highlight, length, s.highlight));
     }
 
     /** How far the last light is from where a ray has arrived. */
@@ -196,46 +139,48 @@ final class Shading {
         return count;
     }
 
+    /** Adds what each surface returns of the light where it is seen. */
     private void addLight(int from, int to) {
-        max(shadows.unoccluded, max, from, to);
-        Kernel.run(limitLambert, from, to);
-        diffuseTerm.add(light.colour(), material.diffuse(), from, to);
-        if (!material.specular().isBlack()) {
-            Kernel.run(cutHighlight, from, to);
-            power(material.shininess(), from, to);
-            Kernel.run(limitPower, from, to);
-            specularTerm.add(light.colour(), material.specular(), from, to);
+        Colour diffuse = material.diffuse(), specular = material.specular(), shine = light.colour();
+        boolean isShiny = !specular.isBlack();
+        for (int i = from; i < to; i++) {
+            if (shadows.unoccluded[i]) {
+                double lambert = cut(shadows.lambert[i]);
+                double highlight = isShiny ? power(cut(shadows.highlight[i]), material.shininess()) : 0;
+                red[i] = plus(red[i], shine.red(), diffuse.red(), lambert, specular.red(), highlight);
+                green[i] = plus(green[i], shine.green(), diffuse.green(), lambert, specular.green(), highlight);
+                blue[i] = plus(blue[i], shine.blue(), diffuse.blue(), lambert, specular.blue(), highlight);
+            }
         }
     }
 
-    /** The most that can be returned: nothing where the light is not seen. */
-    private static void max(boolean[] unoccluded, double[] max, int from, int to) {
-        for (int i = from; i < to; i++) {
-            max[i] = unoccluded[i] ? Double.POSITIVE_INFINITY : 0;
-        }
+    /** Adds both parts of a component to it; nothing of an infinite highlight is nothing. */
+    private static double plus(
+            double sum, double light, double diffuse, double lambert, double specular, double highlight) {
+        double withDiffuse = sum + light * (diffuse * lambert);
+        return light == 0 || specular == 0 ? withDiffuse : withDiffuse + light * (specular * highlight);
+    }
+
+    private static double cut(double cosine) {
+        return Math.min(1, Math.max(0, cosine));
     }
 
     /**
-     * The highlights, which are overwritten, to the power of s. Whole exponents are multiplied out: that rounds by at
-     * most 2u s, no more than what an error of the highlight by 2u grows to.
+     * A highlight to the power of s. Whole exponents are multiplied out: that rounds by at most 2u s, no more than what
+     * an error of the highlight by 2u grows to.
      */
-    private void power(double s, int from, int to) {
+    private static double power(double highlight, double s) {
         int n = (int) Math.abs(s);
         if (n != Math.abs(s) || n > MAX_MULTIPLIED) {
-            for (int i = from; i < to; i++) {
-                power[i] = Math.pow(shadows.highlight[i], s);
-            }
-            return;
+            return Math.pow(highlight, s);
         }
-        Kernel.run(new Kernel.Fill(power, 1), from, to);
-        for (; n > 0; n >>= 1) {
+        double power = 1;
+        for (double square = highlight; n > 0; n >>= 1) {
             if ((n & 1) == 1) {
-                Kernel.run(multiplyPower, from, to);
+                power *= square;
             }
-            Kernel.run(squareHighlight, from, to);
+            square *= square;
         }
-        if (s < 0) {
-            Kernel.run(invertPower, from, to);
-        }
+        return s < 0 ? 1 / power : power;
     }
 }

@@ -171,52 +171,12 @@ public interface Kernel {
         }
     }
 
-    /** a *= b */
-    record Multiply(double[] a, double[] b) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                a[i] *= b[i];
-            }
-        }
-    }
-
     /** a = factor a + term */
     record Linear(double[] a, double factor, double term) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
                 a[i] = factor * a[i] + term;
-            }
-        }
-    }
-
-    /** a = 1 / a */
-    record Invert(double[] a) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                a[i] = 1 / a[i];
-            }
-        }
-    }
-
-    /** Cuts to [0, 1]. */
-    record Cut(double[] a) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                a[i] = Math.min(1, Math.max(0, a[i]));
-            }
-        }
-    }
-
-    /** a = min(a, most) */
-    record Limit(double[] a, double[] max) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                a[i] = Math.min(a[i], max[i]);
             }
         }
     }
