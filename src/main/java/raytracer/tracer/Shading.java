@@ -30,12 +30,8 @@ final class Shading {
     private LightSource light;
 
     private final Kernel aim = this::aim;
-    private final Kernel findReflectance = this::findReflectance;
     private final Kernel addLight = this::addLight;
     private final Kernel[] block;
-
-    private final Kernel findLambert;
-    private final Kernel findHighlight;
 
     // By ray: the result.
     final double[] red = new double[Batch.CAPACITY];
@@ -51,16 +47,6 @@ final class Shading {
         for (int kind = 0; kind < block.length; kind++) {
             block[kind] = AnyHit.among(surfaces.get(kind), rays, shadows, space);
         }
-        ShadowRays s = shadows;
-        findLambert = new Kernel.Dot(rays.normal, s.direction, s.lambert);
-        // The half vector, not of length 1: the cosine is divided by its length instead.
-        Vectors half = new Vectors();
-        double[] length = new double[Batch.CAPACITY];
-        findHighlight = new Kernel.InTurn(
-                Kernel.subtract(s.direction, rays.direction, half),
-                new Kernel.Dot(rays.normal, half, s.highlight),
-                new Kernel.Length(half, length),
-                new Kernel.Divide(s.highlight, length, s.highlight));
     }
 
     /** How far the last light is from where a ray has arrived. */
@@ -95,8 +81,7 @@ final class Shading {
         for (LightSource each : lights) {
             light = each;
             Kernel.run(aim, from, to);
-            Kernel.run(findReflectance, from, to);
-            int unoccluded = markUnoccluded(from, to);
+            int unoccluded = findReflectance(from, to);
             if (cells != null) {
                 cells.aimed(from, to, shadows);
             }
@@ -117,24 +102,30 @@ final class Shading {
         shadows.aim(light, from, to);
     }
 
-    /** Computes the cosines that decide how much light the surface returns. */
-    private void findReflectance(int from, int to) {
-        Kernel.run(findLambert, from, to);
-        if (!material.specular().isBlack()) {
-            Kernel.run(findHighlight, from, to);
-        }
-    }
-
-    /** Marks the shadow rays on which the light would add something; returns how many. */
-    private int markUnoccluded(int from, int to) {
+    /**
+     * Computes the cosines that decide how much light the surface returns, and marks the shadow rays on which it would
+     * return any; returns how many.
+     */
+    private int findReflectance(int from, int to) {
         boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
         boolean alwaysSpecular = specular && material.shininess() <= 0;
         int count = 0;
         for (int i = from; i < to; i++) {
-            boolean unoccluded = shadows.distance[i] > 0 && (diffuse && shadows.lambert[i] > 0
-                    || alwaysSpecular || specular && shadows.highlight[i] > 0);
-            shadows.unoccluded[i] = unoccluded;
-            count += unoccluded ? 1 : 0;
+            double nx = rays.nx[i], ny = rays.ny[i], nz = rays.nz[i];
+            double lx = shadows.dx[i], ly = shadows.dy[i], lz = shadows.dz[i];
+            double lambert = nx * lx + ny * ly + nz * lz;
+            double highlight = 0;
+            if (specular) {
+                // The half vector, not of length 1: the cosine is divided by its length instead.
+                double hx = lx - rays.dx[i], hy = ly - rays.dy[i], hz = lz - rays.dz[i];
+                highlight = (nx * hx + ny * hy + nz * hz)
+                        / Math.max(Math.sqrt(hx * hx + hy * hy + hz * hz), Double.MIN_NORMAL);
+            }
+            shadows.lambert[i] = lambert;
+            shadows.highlight[i] = highlight;
+            boolean adds = shadows.distance[i] > 0 && (diffuse && lambert > 0 || alwaysSpecular || highlight > 0);
+            shadows.unoccluded[i] = adds;
+            count += adds ? 1 : 0;
         }
         return count;
     }

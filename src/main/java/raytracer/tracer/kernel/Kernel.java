@@ -161,16 +161,6 @@ public interface Kernel {
         }
     }
 
-    /** out = a / b, where b is not negative; nothing by nothing is nothing. */
-    record Divide(double[] a, double[] b, double[] out) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                out[i] = a[i] / Math.max(b[i], Double.MIN_NORMAL);
-            }
-        }
-    }
-
     /** a = factor a + term */
     record Linear(double[] a, double factor, double term) implements Kernel {
         @Override
