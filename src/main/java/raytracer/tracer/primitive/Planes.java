@@ -47,56 +47,34 @@ public final class Planes implements UnboundedSurfaces {
 
     @Override
     public Kernel intersecting(Rays rays, Workspace workspace) {
-        return (from, to) -> findClosestHits(rays, from, to, workspace);
+        return (from, to) -> findClosestHits(rays, from, to);
     }
 
-    private void findClosestHits(Rays rays, int from, int to, Workspace workspace) {
+    private void findClosestHits(Rays rays, int from, int to) {
         for (int k = 0; k < count; k++) {
-            measure(rays, k, from, to, workspace);
-            record(rays, k, workspace, from, to);
-        }
-    }
-
-    /** By ray: how far the plane is along its normal, how fast the ray goes that way, and so where it hits it. */
-    private void measure(Rays rays, int k, int from, int to, Workspace workspace) {
-        offsets(rays, k, workspace.offset, from, to);
-        cosines(rays, k, workspace.cosine, from, to);
-        divide(workspace.offset, workspace.cosine, workspace.distance, from, to);
-    }
-
-    // Methods and not kernels, which would be slower here: C2 spills what the loops around them need.
-
-    /** out = (p - o) . n */
-    private void offsets(Rays rays, int k, double[] out, int from, int to) {
-        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz;
-        double x = px[k], y = py[k], z = pz[k], a = nx[k], b = ny[k], c = nz[k];
-        for (int i = from; i < to; i++) {
-            out[i] = (x - ox[i]) * a + (y - oy[i]) * b + (z - oz[i]) * c;
-        }
-    }
-
-    /** out = d . n */
-    private void cosines(Rays rays, int k, double[] out, int from, int to) {
-        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz;
-        double a = nx[k], b = ny[k], c = nz[k];
-        for (int i = from; i < to; i++) {
-            out[i] = dx[i] * a + dy[i] * b + dz[i] * c;
-        }
-    }
-
-    private static void divide(double[] a, double[] b, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = a[i] / b[i];
-        }
-    }
-
-    private void record(Rays rays, int k, Workspace workspace, int from, int to) {
-        double[] offset = workspace.offset, cosine = workspace.cosine, distance = workspace.distance;
-        for (int i = from; i < to; i++) {
-            if (isHit(rays, i, k, offset[i], cosine[i], distance[i])) {
-                rays.record(i, firstSurface + k, distance[i]);
+            for (int i = from; i < to; i++) {
+                double t = distance(rays, i, k);
+                if (t > 0) {
+                    rays.record(i, firstSurface + k, t);
+                }
             }
         }
+    }
+
+    /** The distance at which a ray hits a plane; not positive, or not a number, if it does not. */
+    private double distance(Rays rays, int i, int k) {
+        double offset = offset(rays, i, k), cosine = cosine(rays, i, k), t = offset / cosine;
+        return isHit(rays, i, k, offset, cosine, t) ? t : Double.NaN;
+    }
+
+    /** (p - o) . n */
+    private double offset(Rays rays, int i, int k) {
+        return (px[k] - rays.ox[i]) * nx[k] + (py[k] - rays.oy[i]) * ny[k] + (pz[k] - rays.oz[i]) * nz[k];
+    }
+
+    /** d . n */
+    private double cosine(Rays rays, int i, int k) {
+        return rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
     }
 
     private boolean isHit(Rays rays, int i, int k, double offset, double cosine, double t) {
@@ -118,18 +96,17 @@ public final class Planes implements UnboundedSurfaces {
     @Override
     public void collect(Rays rays, int i, Candidates candidates, Workspace workspace) {
         for (int k = 0; k < count; k++) {
-            measure(rays, k, i, i + 1, workspace);
-            double cosine = workspace.cosine[i], t = workspace.distance[i];
-            if (isHit(rays, i, k, workspace.offset[i], cosine, t)) {
-                candidates.add(firstSurface + k, t, Rounding.planeDistance(
-                        rays.originError[i], rays.directionError[i], products(rays, i, k), t, cosine));
+            double t = distance(rays, i, k);
+            if (t > 0) {
+                candidates.add(firstSurface + k, t, Rounding.planeDistance(rays.originError[i], rays.directionError[i],
+                        products(rays, i, k), t, cosine(rays, i, k)));
             }
         }
     }
 
     @Override
     public Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
-        return (from, to) -> block(rays, shadows, from, to, workspace);
+        return (from, to) -> block(rays, shadows, from, to);
     }
 
     @Override
@@ -138,9 +115,7 @@ public final class Planes implements UnboundedSurfaces {
             int side = sideOfLight(shadows.light, k);
             int blocked = 0;
             for (int i : which) {
-                double offset = (px[k] - rays.ox[i]) * nx[k] + (py[k] - rays.oy[i]) * ny[k]
-                        + (pz[k] - rays.oz[i]) * nz[k];
-                blocked += isBehind(rays, i, k, side * offset) ? 1 : 0;
+                blocked += isBehind(rays, i, k, side * offset(rays, i, k)) ? 1 : 0;
             }
             if (blocked == which.length) {
                 return true;
@@ -149,12 +124,11 @@ public final class Planes implements UnboundedSurfaces {
         return false;
     }
 
-    private void block(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
+    private void block(Rays rays, ShadowRays shadows, int from, int to) {
         for (int k = 0; k < count; k++) {
             int side = sideOfLight(shadows.light, k);
             if (side != 0) {
-                offsets(rays, k, workspace.offset, from, to);
-                close(rays, shadows.unoccluded, k, side, workspace.offset, from, to);
+                close(rays, shadows.unoccluded, k, side, from, to);
             }
         }
     }
@@ -172,9 +146,9 @@ public final class Planes implements UnboundedSurfaces {
     }
 
     /** Occludes the rays from points that are clearly not on the light's side of a plane, nor on the plane. */
-    private void close(Rays rays, boolean[] unoccluded, int k, int side, double[] offset, int from, int to) {
+    private void close(Rays rays, boolean[] unoccluded, int k, int side, int from, int to) {
         for (int i = from; i < to; i++) {
-            if (unoccluded[i] && isBehind(rays, i, k, side * offset[i])) {
+            if (unoccluded[i] && isBehind(rays, i, k, side * offset(rays, i, k))) {
                 unoccluded[i] = false;
             }
         }
@@ -187,8 +161,8 @@ public final class Planes implements UnboundedSurfaces {
 
     /** Bounds the error of how far a plane is, along its normal, from where a ray has arrived. */
     private double offsetError(Rays rays, int i, int k) {
-        double cosine = rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
-        return Rounding.planeOffset(rays.originError[i], products(rays, i, k)) + rays.slide[i] * Math.abs(cosine);
+        return Rounding.planeOffset(rays.originError[i], products(rays, i, k))
+                + rays.slide[i] * Math.abs(cosine(rays, i, k));
     }
 
     @Override
