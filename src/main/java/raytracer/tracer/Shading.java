@@ -1,11 +1,11 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -71,9 +71,9 @@ final class Shading {
      */
     void shade(int from, int to, Material ofAll, SettledCells cells) {
         material = ofAll;
-        Kernel.run(new Kernel.Fill(red, material.ambient().red()), from, to);
-        Kernel.run(new Kernel.Fill(green, material.ambient().green()), from, to);
-        Kernel.run(new Kernel.Fill(blue, material.ambient().blue()), from, to);
+        Arrays.fill(red, from, to, material.ambient().red());
+        Arrays.fill(green, from, to, material.ambient().green());
+        Arrays.fill(blue, from, to, material.ambient().blue());
         if (material.diffuse().isBlack() && material.specular().isBlack()) {
             return;
         }

@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
@@ -137,9 +138,9 @@ public final class TileTracer {
     }
 
     private void start(int from, int to) {
-        Kernel.run(new Kernel.Fill(samples.red, 0), from, to);
-        Kernel.run(new Kernel.Fill(samples.green, 0), from, to);
-        Kernel.run(new Kernel.Fill(samples.blue, 0), from, to);
+        Arrays.fill(samples.red, from, to, 0);
+        Arrays.fill(samples.green, from, to, 0);
+        Arrays.fill(samples.blue, from, to, 0);
         rays.start(aiming, samples, from, to - from);
         primaryCount += to - from;
     }
@@ -244,9 +245,9 @@ public final class TileTracer {
     /** Takes a mirror's share of light from rays, and keeps those that are worth following; returns how many are. */
     private int dim(int from, int to, Colour mirror, int keptBefore) {
         if (rays.leaveEye) {
-            Kernel.run(new Kernel.Fill(rays.red, 1), from, to);
-            Kernel.run(new Kernel.Fill(rays.green, 1), from, to);
-            Kernel.run(new Kernel.Fill(rays.blue, 1), from, to);
+            Arrays.fill(rays.red, from, to, 1);
+            Arrays.fill(rays.green, from, to, 1);
+            Arrays.fill(rays.blue, from, to, 1);
         }
         int count = keptBefore;
         for (int i = from; i < to; i++) {

@@ -72,13 +72,6 @@ public final class Rays {
     private final double[] selected = new double[Batch.CAPACITY];
     private final int[] selectedInts = new int[Batch.CAPACITY];
 
-    /** d - 2 (n . d) n; its length is 1 but for rounding, which would add up from mirror to mirror. */
-    private final Kernel mirroring = new Kernel.InTurn(
-            new Kernel.Dot(direction, normal, selected),
-            Kernel.addProduct(direction, -2, selected, normal, direction),
-            new Kernel.Length(direction, selected),
-            new Kernel.DivideByLength(direction, selected));
-
     public Rays() {
         Arrays.fill(closeDistance, -1);
     }
@@ -120,7 +113,7 @@ public final class Rays {
     /** Forgets what was hit. */
     public void clearHits() {
         Arrays.fill(hit, 0, count, NONE);
-        Kernel.run(new Kernel.Fill(distance, Double.POSITIVE_INFINITY), 0, count);
+        Arrays.fill(distance, 0, count, Double.POSITIVE_INFINITY);
     }
 
     /** The distance beyond which no hit can be, or tie with, the nearest of a ray. */
@@ -166,10 +159,16 @@ public final class Rays {
         normalError[ray] = 2 * Rounding.U;
     }
 
-    /** Turns all rays, which have arrived, into their mirror images. */
+    /** Turns all rays, which have arrived, into their mirror images: d - 2 (n . d) n. */
     public void mirror() {
-        Kernel.run(mirroring, 0, count);
         for (int i = 0; i < count; i++) {
+            double twice = -2 * (dx[i] * nx[i] + dy[i] * ny[i] + dz[i] * nz[i]);
+            double x = dx[i] + twice * nx[i], y = dy[i] + twice * ny[i], z = dz[i] + twice * nz[i];
+            // Its length is 1 but for rounding, which would add up from mirror to mirror.
+            double reciprocal = 1 / Math.sqrt(x * x + y * y + z * z);
+            dx[i] = x * reciprocal;
+            dy[i] = y * reciprocal;
+            dz[i] = z * reciprocal;
             directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
             // What slides along the old way slides along the new one, and twice as far as the old one goes down.
             originError[i] += 2 * slide[i] * Math.abs(dx[i] * nx[i] + dy[i] * ny[i] + dz[i] * nz[i]);
