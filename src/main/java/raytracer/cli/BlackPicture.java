@@ -29,6 +29,9 @@ final class BlackPicture {
 
     static String reason(ParsedScene parsed) {
         Scene scene = parsed.scene();
+        if (scene.lights().isEmpty() && scene.shapes().stream().allMatch(s -> s.material().ambient().isBlack())) {
+            return "there is no light and no ambient colour";
+        }
         if (isBlack(shining(scene, material -> WHITE))) {
             return "the camera sees nothing";
         }

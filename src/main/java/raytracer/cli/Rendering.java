@@ -56,7 +56,7 @@ final class Rendering {
             return Main.FAILED;
         }
         tellHowItWent();
-        if (image.isBlack() && !options.has(Option.REGION) && !parsed.isKnownToBeBlack()) {
+        if (image.isBlack() && !options.has(Option.REGION)) {
             terminal.tell(outputs.input().name() + ": warning: the picture is black: " + BlackPicture.reason(parsed));
         }
         Reference.Verdict verdict = comparing == null ? null : comparing.compare(image.toBufferedImage());

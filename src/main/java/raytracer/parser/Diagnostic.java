@@ -4,7 +4,7 @@ package raytracer.parser;
  * One thing to say about a scene file, built whole so that it can be printed at once.
  *
  * @param file    the name that the user knows the file by
- * @param line    from 1; 0 if it is about the file as a whole
+ * @param line    from 1
  * @param column  in characters, from 1
  * @param message what was expected and what was found
  * @param excerpt the line and a caret under the place, two lines; empty if the place has no text
@@ -14,7 +14,6 @@ public record Diagnostic(String file, long line, int column, String message, Str
     /** {@code file:line:column: message}, and the excerpt below it if there is one; no line break at the end. */
     @Override
     public String toString() {
-        String place = line == 0 ? file : file + ":" + line + ":" + column;
-        return place + ": " + message + (excerpt.isEmpty() ? "" : "\n" + excerpt);
+        return file + ":" + line + ":" + column + ": " + message + (excerpt.isEmpty() ? "" : "\n" + excerpt);
     }
 }

@@ -101,7 +101,7 @@ final class Diagnostics {
         return errorCount >= ENOUGH;
     }
 
-    /** A warning about a line; 0 for the file as a whole. */
+    /** A warning about a line. */
     void warning(long line, String message) {
         warnings.add(new Diagnostic(file, line, 1, "warning: " + message, ""));
     }

@@ -6,14 +6,13 @@ import raytracer.scene.Scene;
 /**
  * A valid scene, and what its author may not have meant.
  *
- * @param outputPlace      where the scene names its output, {@code :line:column}; empty if it does not
- * @param isKnownToBeBlack whether the warnings say that the picture will be black
- * @param firstColourless  the line of the first shape that is declared before any ambient or diffuse colour; 0 if
- * none is
- * @param lastColourless   the line of the last
+ * @param outputPlace     where the scene names its output, {@code :line:column}; empty if it does not
+ * @param firstColourless the line of the first shape that is declared before any ambient or diffuse colour; 0 if none
+ *                        is
+ * @param lastColourless  the line of the last
  */
-public record ParsedScene(Scene scene, List<Diagnostic> warnings, String outputPlace, boolean isKnownToBeBlack,
-        long firstColourless, long lastColourless) {
+public record ParsedScene(Scene scene, List<Diagnostic> warnings, String outputPlace, long firstColourless,
+        long lastColourless) {
 
     public ParsedScene {
         warnings = List.copyOf(warnings);

@@ -89,9 +89,8 @@ public final class SceneParser {
             throw diagnostics.exception();
         }
         Scene scene = new Scene(width, height, camera, maxDepth, lights, shapes.list(), shapes.mesh(), output);
-        boolean isKnownToBeBlack = warn(scene);
-        return new ParsedScene(
-                scene, diagnostics.warnings(), outputPlace, isKnownToBeBlack, firstColourless, lastColourless);
+        warn();
+        return new ParsedScene(scene, diagnostics.warnings(), outputPlace, firstColourless, lastColourless);
     }
 
     /** Whether the file, of which this is the first line, is of a kind that is often taken for a scene. */
@@ -249,8 +248,7 @@ public final class SceneParser {
         }
     }
 
-    /** Returns whether it warned of a black picture. */
-    private boolean warn(Scene scene) {
+    private void warn() {
         if (emptyTriangles > 0) {
             diagnostics.warning(firstEmptyTriangleLine, emptyTriangles == 1
                     ? "this triangle has no area and is never seen"
@@ -260,10 +258,5 @@ public final class SceneParser {
             diagnostics.warning(lineOf.get(Command.MAXVERTS),
                     "'maxverts' declares " + maxVertices + " vertices, but " + shapes.vertices() + " follow");
         }
-        String darkness = Visibility.darkness(scene);
-        if (darkness != null) {
-            diagnostics.warning(0, darkness + ": the picture is black");
-        }
-        return darkness != null;
     }
 }

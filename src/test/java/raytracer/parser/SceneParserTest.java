@@ -194,12 +194,6 @@ class SceneParserTest {
         assertAll(
                 () -> assertEquals(List.of(), Scenes.warnings(HEAD + light + "sphere 0 0 0 1\n")),
                 () -> assertEquals(
-                        List.of("test.scene: warning: there is no light and no ambient colour: the picture is black"),
-                        Scenes.warnings(HEAD + "diffuse 1 1 1\nsphere 0 0 0 1\n")),
-                () -> assertEquals(
-                        List.of("test.scene: warning: nothing is in front of the camera: the picture is black"),
-                        Scenes.warnings(HEAD + light + "sphere 0 0 9 1\nplane 0 0 6 0 0 3\n")),
-                () -> assertEquals(
                         List.of("test.scene:4:1: warning: 'maxverts' declares 5 vertices, but 1 follow"),
                         Scenes.warnings(HEAD + light + "maxverts 5\nvertex 0 0 0\nsphere 0 0 0 1\n")),
                 () -> assertEquals(
