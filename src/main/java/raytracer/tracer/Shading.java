@@ -132,15 +132,15 @@ final class Shading {
 
     /** Adds what each surface returns of the light where it is seen. */
     private void addLight(int from, int to) {
-        Colour diffuse = material.diffuse(), specular = material.specular(), shine = light.colour();
+        Colour diffuse = material.diffuse(), specular = material.specular(), ofLight = light.colour();
         boolean isShiny = !specular.isBlack();
         for (int i = from; i < to; i++) {
             if (shadows.unoccluded[i]) {
                 double lambert = cut(shadows.lambert[i]);
                 double highlight = isShiny ? power(cut(shadows.highlight[i]), material.shininess()) : 0;
-                red[i] = plus(red[i], shine.red(), diffuse.red(), lambert, specular.red(), highlight);
-                green[i] = plus(green[i], shine.green(), diffuse.green(), lambert, specular.green(), highlight);
-                blue[i] = plus(blue[i], shine.blue(), diffuse.blue(), lambert, specular.blue(), highlight);
+                red[i] = plus(red[i], ofLight.red(), diffuse.red(), lambert, specular.red(), highlight);
+                green[i] = plus(green[i], ofLight.green(), diffuse.green(), lambert, specular.green(), highlight);
+                blue[i] = plus(blue[i], ofLight.blue(), diffuse.blue(), lambert, specular.blue(), highlight);
             }
         }
     }

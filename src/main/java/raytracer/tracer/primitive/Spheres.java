@@ -34,26 +34,7 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     public static Bounds bounds(List<Shape.Sphere> spheres) {
-        return new Bounds() {
-            @Override
-            public void of(int k, double[] box) {
-                Vector c = spheres.get(k).centre();
-                double r = spheres.get(k).radius();
-                box[0] = c.x() - r;
-                box[1] = c.y() - r;
-                box[2] = c.z() - r;
-                box[3] = c.x() + r;
-                box[4] = c.y() + r;
-                box[5] = c.z() + r;
-            }
-
-            @Override
-            public boolean areSame(int k, int other) {
-                Vector a = spheres.get(k).centre(), b = spheres.get(other).centre();
-                return a.x() == b.x() && a.y() == b.y() && a.z() == b.z()
-                        && spheres.get(k).radius() == spheres.get(other).radius();
-            }
-        };
+        return SphereArray.bounds(spheres);
     }
 
     @Override
@@ -102,23 +83,6 @@ public final class Spheres extends BoundedSurfaces {
     private static double atMost(double max, double t) {
         return t <= max ? t : Double.NaN;
     }
-
-    @Override
-    public boolean hasSieve() {
-        return false;
-    }
-
-    /** All: a leaf is one sphere, whose box the ray has hit. */
-    @Override
-    public int mayHit(int first, int end, Workspace workspace) {
-        return (1 << end - first) - 1;
-    }
-
-    @Override
-    public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) { }
-
-    @Override
-    public void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) { }
 
     @Override
     public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {

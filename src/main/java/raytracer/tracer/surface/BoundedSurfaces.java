@@ -74,14 +74,18 @@ public abstract class BoundedSurfaces implements Surfaces {
     /** Whether the surface with this number among these is strictly between a point and its light. */
     public abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
 
-    /** Whether {@link #mayHit} goes by {@link Workspace#line}, which then must be set. */
-    public abstract boolean hasSieve();
+    /** Whether {@link #mayHit} goes by {@link Workspace#line}, which then must be set; no, unless a kind says so. */
+    public boolean hasSieve() {
+        return false;
+    }
 
     /**
      * Which of some surfaces, no more than a leaf has, a ray may hit that is in {@link Workspace#line}: a bit for each,
      * the first one's lowest. No branch depends on it, for the processor would often guess it wrong.
      */
-    public abstract int mayHit(int first, int end, Workspace workspace);
+    public int mayHit(int first, int end, Workspace workspace) {
+        return (1 << end - first) - 1;
+    }
 
     public final TreeFacts facts() {
         return TreeFacts.of(name, bvh);
@@ -106,10 +110,10 @@ public abstract class BoundedSurfaces implements Surfaces {
     }
 
     /** Computes what {@link #intersectAll} needs to know of rays, from one index to another. */
-    public abstract void prepareToIntersect(Rays rays, int from, int to, Workspace workspace);
+    public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) { }
 
     /** Computes what {@link #blockAll} needs to know of shadow rays, from one index to another. */
-    public abstract void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace);
+    public void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) { }
 
     /** Records the surface with this number among these for rays, from one index to another, that hit it. */
     public abstract void intersectAll(Rays rays, int from, int to, int k, Workspace workspace);
