@@ -46,7 +46,7 @@ public final class Planes implements UnboundedSurfaces {
     }
 
     @Override
-    public Kernel intersecting(Rays rays, Workspace workspace) {
+    public Kernel intersecting(Rays rays) {
         return (from, to) -> findClosestHits(rays, from, to);
     }
 
@@ -61,7 +61,7 @@ public final class Planes implements UnboundedSurfaces {
         }
     }
 
-    /** The distance at which a ray hits a plane; not positive, or not a number, if it does not. */
+    /** The distance at which a ray hits a plane; NaN if it does not. */
     private double distance(Rays rays, int i, int k) {
         double offset = offset(rays, i, k), cosine = cosine(rays, i, k), t = offset / cosine;
         return isHit(rays, i, k, offset, cosine, t) ? t : Double.NaN;
@@ -105,7 +105,7 @@ public final class Planes implements UnboundedSurfaces {
     }
 
     @Override
-    public Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace) {
+    public Kernel blocking(Rays rays, ShadowRays shadows) {
         return (from, to) -> block(rays, shadows, from, to);
     }
 

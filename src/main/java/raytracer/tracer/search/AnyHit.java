@@ -24,7 +24,7 @@ public final class AnyHit extends Search {
     public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new AnyHit(bounded, rays, shadows, space)
-                : ((UnboundedSurfaces) kind).blocking(rays, shadows, space.surfaces());
+                : ((UnboundedSurfaces) kind).blocking(rays, shadows);
     }
 
     private AnyHit(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {

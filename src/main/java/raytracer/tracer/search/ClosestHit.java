@@ -13,7 +13,7 @@ public final class ClosestHit extends Search {
     public static Kernel among(Surfaces kind, Rays rays, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new ClosestHit(bounded, rays, space)
-                : ((UnboundedSurfaces) kind).intersecting(rays, space.surfaces());
+                : ((UnboundedSurfaces) kind).intersecting(rays);
     }
 
     private ClosestHit(BoundedSurfaces surfaces, Rays rays, SearchWorkspace space) {

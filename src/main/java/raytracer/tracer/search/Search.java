@@ -10,7 +10,8 @@ import raytracer.tracer.surface.SieveLine;
 
 /**
  * Finds what a batch of rays may hit among surfaces of one kind, and has it tried. If the rays' {@link Beam} finds few
- * surfaces, all rays try those; else each ray walks the tree. For one thread.
+ * surfaces, all rays try those; else each ray walks the tree, from the deepest node that holds all that the beam may hit. For
+ * one thread.
  */
 abstract class Search implements Kernel {
 
@@ -42,7 +43,7 @@ abstract class Search implements Kernel {
     /** Tries one surface with all rays. */
     abstract void tryAll(int from, int to, int k);
 
-    /** Whether only a walk can tell what there is for a ray. */
+    /** Whether only a walk can tell what there is for a ray: a likely surface may be tried first. */
     abstract boolean mustWalk(int ray);
 
     /** What is farther away along a ray does not matter. */

@@ -8,10 +8,10 @@ import raytracer.tracer.rays.ShadowRays;
 public interface UnboundedSurfaces extends Surfaces {
 
     /** What records for every ray the nearest that it hits among these. */
-    Kernel intersecting(Rays rays, Workspace workspace);
+    Kernel intersecting(Rays rays);
 
     /** What occludes every shadow ray that one of these blocks between its ends. */
-    Kernel blocking(Rays rays, ShadowRays shadows, Workspace workspace);
+    Kernel blocking(Rays rays, ShadowRays shadows);
 
     /** Whether one of these blocks each of some shadow rays. */
     boolean anyBlocksAll(Rays rays, ShadowRays shadows, int[] which);

@@ -15,14 +15,10 @@ public final class Workspace {
     public final int[] doubtful = new int[Batch.CAPACITY];
     public int doubtfulCount;
 
-    // Of a plane: how far it is along its normal, how fast the ray goes that way, and the quotient.
-    public final double[] offset = new double[Batch.CAPACITY];
-    public final double[] cosine = new double[Batch.CAPACITY];
+    // Of a sphere: direction . (origin - centre), the square of half the chord, the distance; its centre and radius.
+    public final double[] along = new double[Batch.CAPACITY];
+    public final double[] square = new double[Batch.CAPACITY];
     public final double[] distance = new double[Batch.CAPACITY];
-
-    // Of a sphere: direction . (origin - centre), the square of half the chord, centre and radius.
-    public final double[] along = offset;
-    public final double[] square = cosine;
     public final Vectors centre = new Vectors();
     public final double[] radius = new double[Batch.CAPACITY];
     public final double[] l1Norm = new double[Batch.CAPACITY];
