@@ -130,7 +130,7 @@ final class Shading {
         return count;
     }
 
-    /** Adds what each surface returns of the light where it is seen. */
+    /** Adds what the surface returns of the light, to the rays whose shadow rays are unoccluded. */
     private void addLight(int from, int to) {
         Colour diffuse = material.diffuse(), specular = material.specular(), ofLight = light.colour();
         boolean isShiny = !specular.isBlack();
@@ -145,7 +145,7 @@ final class Shading {
         }
     }
 
-    /** Adds both parts of a component to it; nothing of an infinite highlight is nothing. */
+    /** Adds the light to one component of a colour; an infinite highlight of a black component adds nothing. */
     private static double plus(
             double sum, double light, double diffuse, double lambert, double specular, double highlight) {
         double withDiffuse = sum + light * (diffuse * lambert);

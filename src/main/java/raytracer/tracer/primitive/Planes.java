@@ -64,7 +64,9 @@ public final class Planes implements UnboundedSurfaces {
     /** The distance at which a ray hits a plane; NaN if it does not. */
     private double distance(Rays rays, int i, int k) {
         double offset = offset(rays, i, k), cosine = cosine(rays, i, k), t = offset / cosine;
-        return isHit(rays, i, k, offset, cosine, t) ? t : Double.NaN;
+        boolean isHit = t > 0 && t <= rays.maxDistance(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
+                && rays.source[i] != firstSurface + k && Math.abs(offset) > offsetError(rays, i, k);
+        return isHit ? t : Double.NaN;
     }
 
     /** (p - o) . n */
@@ -75,13 +77,6 @@ public final class Planes implements UnboundedSurfaces {
     /** d . n */
     private double cosine(Rays rays, int i, int k) {
         return rays.dx[i] * nx[k] + rays.dy[i] * ny[k] + rays.dz[i] * nz[k];
-    }
-
-    private boolean isHit(Rays rays, int i, int k, double offset, double cosine, double t) {
-        return t > 0 && t <= rays.maxDistance(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
-                && rays.source[i] != firstSurface + k
-                && Math.abs(offset) > Rounding.planeOffset(rays.originError[i], products(rays, i, k))
-                        + rays.slide[i] * Math.abs(cosine);
     }
 
     /** |x nx| + |y ny| + |z nz| of a plane's point, seen from where a ray starts. */
@@ -159,7 +154,7 @@ public final class Planes implements UnboundedSurfaces {
         return below > 0 && rays.hit[i] != firstSurface + k && below > offsetError(rays, i, k);
     }
 
-    /** Bounds the error of how far a plane is, along its normal, from where a ray has arrived. */
+    /** Bounds the error of how far a plane is, along its normal, from where a ray starts or has arrived. */
     private double offsetError(Rays rays, int i, int k) {
         return Rounding.planeOffset(rays.originError[i], products(rays, i, k))
                 + rays.slide[i] * Math.abs(cosine(rays, i, k));

@@ -114,7 +114,10 @@ public final class Beam {
         }
     }
 
-    /** Finds the primitives in the tree that the rays may hit; false if they are too many, or the rays too unlike. */
+    /**
+     * Finds the primitives in the tree that the rays may hit, and where walks may begin; false if they are too many, or the
+     * rays too unlike.
+     */
     boolean gather(Bvh bvh) {
         count = 0;
         entry = bvh.root();

@@ -81,7 +81,7 @@ public abstract class BoundedSurfaces implements Surfaces {
 
     /**
      * Which of some surfaces, no more than a leaf has, a ray may hit that is in {@link Workspace#line}: a bit for each,
-     * the first one's lowest. No branch depends on it, for the processor would often guess it wrong.
+     * the first one's lowest; all, if there is no sieve. No branch depends on it, for the processor would often guess wrong.
      */
     public int mayHit(int first, int end, Workspace workspace) {
         return (1 << end - first) - 1;
