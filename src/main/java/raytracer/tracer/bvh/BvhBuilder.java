@@ -161,7 +161,7 @@ public final class BvhBuilder {
                 nodes.setBox(node, k, child.box);
                 if (child.size() <= leafSize) {
                     nodes.setChild(node, k, Bvh.leaf(child.from, child.size()));
-                } else if (areAllSame(child)) {
+                } else if (child.size() > Bvh.LEAF_SIZE && areAllSame(child)) {
                     nodes.setChild(node, k, Bvh.leaf(child.from, 1));
                 } else {
                     parts.push(new Part(node, k, child, child.size() < PARALLEL_SIZE ? null : fork(child)));
@@ -170,7 +170,7 @@ public final class BvhBuilder {
             return node;
         }
 
-        /** If so, the first declared comes to the front: it wins every tie, so a leaf of that one is enough. */
+        /** If so, the first declared comes to the front: it wins every tie, so of many a leaf of that one is enough. */
         private boolean areAllSame(Range range) {
             int least = range.from;
             for (int i = range.from + 1; i < range.to; i++) {
