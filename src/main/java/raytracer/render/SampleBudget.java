@@ -89,7 +89,8 @@ record SampleBudget(int closer, double unseen, double k, int all) {
             }
         }
         SampleBudget budget = new SampleBudget(closer, unseen, high, 0);
-        int all = (int) Math.max(1, Math.min(MAX, Math.ceil(even)));
+        // One sample leaves all of the variance: it is not one of several that are even.
+        int all = (int) Math.max(sum > error * error * pixels ? 2 : 1, Math.min(MAX, Math.ceil(even)));
         double samples = first + pilots.stream().mapToDouble(pilot -> budget.samples(pilot.variance)).sum() / pixels;
         return PROOF + SCATTER * samples < all ? budget : new SampleBudget(closer, unseen, high, all);
     }

@@ -44,6 +44,13 @@ class SampleBudgetTest {
     }
 
     @Test
+    void isOneSampleOnlyIfItMayBeOffByAllOfTheVariance() {
+        // C says that even one sample of .1 is off by .29 at most; but what one shows is off by .32.
+        assertEquals(2, SampleBudget.plan(pilots(10_000, .1), 10_000, .3, 1.1).all());
+        assertEquals(1, SampleBudget.plan(pilots(10_000, .1), 10_000, .33, 1.1).all());
+    }
+
+    @Test
     void givesAFewUnevenPixelsTheSamplesThatTheErrorAllows() {
         // One pixel in 50: C^2 v / (50 N^1.5) = error^2.
         SampleBudget budget = SampleBudget.plan(pilots(2500, .1), 125_000, .0015, 1.1);
