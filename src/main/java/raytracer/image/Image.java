@@ -1,7 +1,18 @@
 package raytracer.image;
 
+import java.awt.Rectangle;
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferByte;
+import java.awt.image.Raster;
 import java.awt.image.RenderedImage;
+import java.awt.image.WritableRaster;
+import java.lang.reflect.Proxy;
+import java.util.Arrays;
 import raytracer.tracer.PixelSink;
 
 /**
@@ -39,7 +50,7 @@ public final class Image implements PixelSink {
         this.height = height;
         bytes = new byte[COMPONENTS * width * height];
         missing = new int[height];
-        java.util.Arrays.fill(missing, width);
+        Arrays.fill(missing, width);
     }
 
     /** The memory that a picture takes; the greatest long if it is beyond that. */
@@ -86,7 +97,7 @@ public final class Image implements PixelSink {
     }
 
     /** Returns when all pixels of a row have been set. */
-    synchronized void awaitRow(int row) {
+    private synchronized void awaitRow(int row) {
         while (missing[row] > 0 && failure == null) {
             try {
                 wait();
@@ -128,13 +139,32 @@ public final class Image implements PixelSink {
         return !isLit;
     }
 
-    /** The same bytes as the standard library's picture. */
+    /** This as the standard library's picture; not a copy. */
     public BufferedImage toBufferedImage() {
-        return new BufferedImage(Rgb.colours(), Rgb.raster(bytes, width, height), false, null);
+        int[] offsets = {0, 1, 2};
+        WritableRaster raster = Raster.createInterleavedRaster(
+                new DataBufferByte(bytes, bytes.length), width, height, COMPONENTS * width, COMPONENTS, offsets, null);
+        ColorModel colours = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
+        return new BufferedImage(colours, raster, false, null);
     }
 
     /** The picture for an encoder that asks for it row by row, while its pixels are still being set. */
     public RenderedImage rowByRow() {
-        return new PendingRows(this, Rgb.raster(bytes, width, height));
+        BufferedImage picture = toBufferedImage();
+        // Not a BufferedImage, for of that Java 25's encoder takes the bytes without asking.
+        return (RenderedImage) Proxy.newProxyInstance(Image.class.getClassLoader(),
+                new Class<?>[] {RenderedImage.class}, (proxy, method, arguments) -> {
+                    if (method.getName().equals("getData") && arguments != null) {
+                        awaitRows((Rectangle) arguments[0]);
+                    }
+                    return method.invoke(picture, arguments);
+                });
+    }
+
+    private void awaitRows(Rectangle area) {
+        for (int row = area.y; row < area.y + area.height; row++) {
+            awaitRow(row);
+        }
     }
 }

@@ -93,13 +93,6 @@ class SettledCellsTest {
     }
 
     @Test
-    @DisplayName("across an edge that two triangles of one colour share")
-    void acrossASharedEdge() throws Exception {
-        assertTrue(count(settled("ambient 1 1 1\nmaxverts 4\nvertex -9 -9 0\nvertex 99 -9 0\nvertex 99 99 0\n"
-                + "vertex -9 99 0\ntri 0 1 2\ntri 0 2 3\n")) == SIDE * SIDE);
-    }
-
-    @Test
     @DisplayName("not where a highlight is narrower than it")
     void notUnderANarrowHighlight() throws Exception {
         String text = "point 9.3 9.7 30 1 1 1\nspecular 1 1 1\nplane 0 0 0 0 0 1\n";

@@ -156,21 +156,17 @@ public final class RayBundle {
 
     /** Whether all corner rays pass by the triangle outside of the same edge. */
     private boolean isClearOfTriangle(Vector a, Vector b, Vector c) {
-        return isOnSide(-1, a, b, c) || isOnSide(-1, b, c, a) || isOnSide(-1, c, a, b);
+        return isOutside(a, b, c) || isOutside(b, c, a) || isOutside(c, a, b);
     }
 
-    /**
-     * Whether all corner rays pass the edge from a to b of a triangle on one side.
-     *
-     * @param side 1 for the inside, -1 for the outside
-     */
-    public boolean isOnSide(int side, Vector a, Vector b, Vector c) {
+    /** Whether all corner rays pass the edge from a to b of a triangle on its outside. */
+    private boolean isOutside(Vector a, Vector b, Vector c) {
         double turn = 0;
         for (int corner = 0; corner < CORNERS; corner++) {
             Vector u = a.minus(origin[corner]), v = b.minus(origin[corner]), w = c.minus(origin[corner]);
             Vector d = direction[corner];
             double ab = d.dot(u.cross(v)), all = Math.signum(ab + d.dot(v.cross(w)) + d.dot(w.cross(u)));
-            if (turn * all < 0 || !(side * all * ab > 0)) {
+            if (turn * all < 0 || !(all * ab < 0)) {
                 return false;
             }
             turn = all;

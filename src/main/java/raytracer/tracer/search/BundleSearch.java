@@ -10,16 +10,15 @@ public final class BundleSearch {
     private BundleSearch() { }
 
     /**
-     * Whether all surfaces of a kind that a bundle may hit are expected; false too if they are too many to tell.
+     * Whether a bundle can hit no surface of a kind but one; false too if they are too many to tell.
      *
-     * @param isExpected by number among the surfaces
+     * @param but a surface's index; one of another kind if it can hit none
      */
-    public static boolean hitsOnly(BoundedSurfaces surfaces, RayBundle bundle, IntPredicate isExpected,
-            SearchWorkspace space) {
+    public static boolean hitsNone(BoundedSurfaces surfaces, RayBundle bundle, int but, SearchWorkspace space) {
         Beam beam = space.beam();
         beam.enclose(bundle);
         return beam.gather(surfaces.bvh())
-                && !any(surfaces, k -> !isExpected.test(k) && !isClear(surfaces, bundle, k), beam);
+                && !any(surfaces, k -> surfaces.surface(k) != but && !isClear(surfaces, bundle, k), beam);
     }
 
     /**

@@ -28,6 +28,9 @@ public final class SettledCells {
     /** By how many times the tolerance the colours of a cell's corners may differ. */
     private static final double MAX_RANGE = 16;
 
+    /** In place of a surface's index: not all rays hit the same. */
+    private static final int SEVERAL = -2;
+
     private final List<Surfaces> surfaces;
     private final Rays rays;
     private final SearchWorkspace space;
@@ -35,7 +38,6 @@ public final class SettledCells {
 
     private Lattice lattice;
     private double tolerance;
-    private boolean[] isMixed;
 
     // By point of the lattice, row by row: the ray there before it moved to its hit, and the hit.
     private final Vectors origin = new Vectors();
@@ -47,7 +49,6 @@ public final class SettledCells {
     private final Vectors normal = new Vectors();
     private final boolean[] isAimed = new boolean[Batch.CAPACITY];
 
-    private final SeenSurfaces seen;
     private final Highlight highlight = new Highlight();
 
     // The light that is looked at now, and its direction from each point.
@@ -60,14 +61,12 @@ public final class SettledCells {
         this.surfaces = surfaces;
         this.rays = rays;
         this.space = space;
-        seen = new SeenSurfaces(surfaces);
     }
 
     /** @param tolerance by how much a pixel's colour may be off without more samples, of a range of [0, 1] */
     public void start(int columns, int rows, double tolerance) {
         lattice = new Lattice(columns, rows);
         this.tolerance = tolerance;
-        isMixed = new boolean[lattice.settled.length];
     }
 
     /** Takes note of all rays, which have found what they hit and are still where they started. */
@@ -99,14 +98,14 @@ public final class SettledCells {
         if (rayCount == 0) {
             return true;
         }
-        if (rayCount < (right - left + 1) * (bottom - top + 1) || !findSeen(left, top, right, bottom)) {
+        if (rayCount < (right - left + 1) * (bottom - top + 1)) {
             return false;
         }
-        boolean isCell = Lattice.isCell(left, top, right, bottom);
         if (isFaint(left, top, right, bottom)) {
             return true;
         }
-        if (seen.count() > 1 && !isCell) {
+        int seen = surfaceSeen(left, top, right, bottom);
+        if (seen == SEVERAL) {
             return false;
         }
         bundle.clear();
@@ -115,17 +114,11 @@ public final class SettledCells {
         }
         for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
             int p = lattice.corner(corner, left, top, right, bottom);
-            Vector at = hit[p] == Rays.NONE ? null : point.get(p);
+            Vector at = seen == Rays.NONE ? null : point.get(p);
             bundle.setCorner(corner, origin.get(p), direction.get(p), at, normal.get(p));
         }
         bundle.close();
-        if (!hitsOnlyWhatIsSeen() || seen.count() > 1 && !seen.cover(bundle)) {
-            return false;
-        }
-        if (seen.count() > 1) {
-            isMixed[top * (lattice.columns - 1) + left] = true;
-        }
-        return true;
+        return hitsOnly(seen);
     }
 
     private boolean isFaint(int left, int top, int right, int bottom) {
@@ -136,24 +129,24 @@ public final class SettledCells {
         return max < tolerance / 2;
     }
 
-    /** Lists the surfaces that are hit; false if they are too many. */
-    private boolean findSeen(int left, int top, int right, int bottom) {
-        seen.clear();
+    /** The surface that all rays hit, or {@link Rays#NONE} or {@link #SEVERAL}. */
+    private int surfaceSeen(int left, int top, int right, int bottom) {
+        int seen = hit[top * lattice.columns + left];
         for (int row = top; row <= bottom; row++) {
             for (int p = row * lattice.columns + left; p <= row * lattice.columns + right; p++) {
-                if (!seen.add(hit[p])) {
-                    return false;
+                if (hit[p] != seen) {
+                    return SEVERAL;
                 }
             }
         }
-        return true;
+        return seen;
     }
 
     /** An unbounded surface need not be looked for: what shows of one, a corner shows too. */
-    private boolean hitsOnlyWhatIsSeen() {
+    private boolean hitsOnly(int seen) {
         for (Surfaces kind : surfaces) {
             if (kind instanceof BoundedSurfaces bounded
-                    && !BundleSearch.hitsOnly(bounded, bundle, k -> seen.has(bounded.surface(k)), space)) {
+                    && !BundleSearch.hitsNone(bounded, bundle, seen, space)) {
                 return false;
             }
         }
@@ -189,11 +182,15 @@ public final class SettledCells {
         if (rayCount == 0) {
             return true;
         }
-        if (rayCount < (right - left + 1) * (bottom - top + 1) || !findSeen(left, top, right, bottom)) {
+        if (rayCount < (right - left + 1) * (bottom - top + 1)) {
             return false;
         }
         if (isFaint(left, top, right, bottom)) {
             return true;
+        }
+        int seen = surfaceSeen(left, top, right, bottom);
+        if (seen == SEVERAL) {
+            return false;
         }
         int aimedCount = 0, seeCount = 0;
         for (int row = top; row <= bottom; row++) {
@@ -209,7 +206,7 @@ public final class SettledCells {
             return aimedCount == rayCount && isAllBlocked(left, top, right, bottom);
         }
         encloseWaysToLight(left, top, right, bottom);
-        return seeCount == aimedCount && hitsOnlyWhatIsSeen();
+        return seeCount == aimedCount && hitsOnly(seen);
     }
 
     private void encloseWaysToLight(int left, int top, int right, int bottom) {
@@ -283,7 +280,7 @@ public final class SettledCells {
             if (lattice.settled[cell]) {
                 int p = lattice.point(cell);
                 double range = Math.max(range(samples.red, p), Math.max(range(samples.green, p), range(samples.blue, p)));
-                lattice.settled[cell] = range <= (isMixed[cell] ? 1 : MAX_RANGE) * tolerance;
+                lattice.settled[cell] = range <= MAX_RANGE * tolerance;
             }
         }
         return lattice.settled;

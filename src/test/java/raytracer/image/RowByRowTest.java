@@ -22,7 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @DisplayName("A picture that is encoded while it is rendered")
-class PendingRowsTest {
+class RowByRowTest {
 
     private static final Duration SOON = Duration.ofSeconds(20);
 
