@@ -1,28 +1,24 @@
 package raytracer.parser;
 
 import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
 
 /** The words of one line, read from left to right; a comment ends the line. */
 final class Line {
 
-    /** 10^0 to 10^22: the powers of ten that a double holds exactly. */
+    /** Each is exact, as is every one up to 10^22. */
     private static final double[] POWERS_OF_TEN = {
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
-        1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
 
-    /** Every number of so many digits fits in a long. */
-    private static final int DIGITS_OF_A_LONG = 18;
+    /** So many characters hold no more digits than a long does. */
+    private static final int MAX_LENGTH = 18;
 
-    private static final int HUGE_EXPONENT = 100_000;
+    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
 
     private final LineReader reader;
     private byte[] bytes;
     private int from;
     private int to;
-
-    // While a number is read: the next byte, and the digits so far.
-    private int at;
-    private long mantissa;
 
     Line(LineReader reader) {
         this.reader = reader;
@@ -37,29 +33,18 @@ final class Line {
 
     /** Goes to the next word; false at the end of the line and at a comment. */
     boolean nextWord() {
-        if (!nextWordStart()) {
-            return false;
-        }
-        int i = from;
-        while (!endsWord(bytes[i])) {
-            i++;
-        }
-        to = i;
-        return true;
-    }
-
-    private boolean nextWordStart() {
         int i = to;
         while (bytes[i] == ' ' || bytes[i] == '\t') {
             i++;
         }
         from = i;
+        if (bytes[i] != '#') {
+            while (bytes[i] != ' ' && bytes[i] != '\t' && bytes[i] != '\n') {
+                i++;
+            }
+        }
         to = i;
-        return bytes[i] != '\n' && bytes[i] != '#';
-    }
-
-    private static boolean endsWord(byte b) {
-        return b == ' ' || b == '\t' || b == '\n';
+        return to > from;
     }
 
     /** Goes to the next word and as far beyond it as the line goes, blanks and comment at the end left out. */
@@ -92,73 +77,40 @@ final class Line {
     }
 
     /**
-     * Goes to the next word and reads it as a decimal number, correctly rounded. Digits that fit in 53 bits and a power
-     * of ten up to 22 are both exact, so one multiplication or division rounds once (Clinger, How to Read Floating
+     * Goes to the next word and reads it as a decimal number, correctly rounded. If it has no exponent and its digits fit
+     * in 53 bits, they and the power of ten are both exact, so one division rounds once (Clinger, How to Read Floating
      * Point Numbers Accurately, 1990); the library reads all others.
      *
      * @return the number; an infinity if it is too large for a double; NaN if there is no word or it is no number
      */
     double nextNumber() {
-        if (!nextWordStart()) {
+        if (!nextWord()) {
             return Double.NaN;
         }
-        at = from;
-        boolean negative = sign();
-        mantissa = 0;
-        int count = digits();
-        int exponent = 0;
-        if (bytes[at] == '.') {
-            at++;
-            exponent = -digits();
-            count -= exponent;
+        boolean isNegative = bytes[from] == '-';
+        int first = isNegative || bytes[from] == '+' ? from + 1 : from;
+        int point = to;
+        long mantissa = 0;
+        for (int i = first; i < to; i++) {
+            int digit = bytes[i] - '0';
+            if (digit >= 0 && digit <= 9) {
+                mantissa = 10 * mantissa + digit;
+            } else if (bytes[i] == '.' && point == to) {
+                point = i;
+            } else {
+                return readByLibrary();
+            }
         }
-        boolean valid = count > 0;
-        if (valid && (bytes[at] == 'e' || bytes[at] == 'E')) {
-            at++;
-            int start = at;
-            exponent += power();
-            valid = at > start && bytes[at - 1] >= '0';
+        int decimals = Math.max(0, to - 1 - point), digits = to - first - (point < to ? 1 : 0);
+        if (digits == 0 || to - first > MAX_LENGTH || mantissa > 1L << 53) {
+            return readByLibrary();
         }
-        if (!valid || !endsWord(bytes[at])) {
-            nextWord();
-            return Double.NaN;
-        }
-        to = at;
-        if (count > DIGITS_OF_A_LONG || mantissa > 1L << 53 || Math.abs(exponent) >= POWERS_OF_TEN.length) {
-            return Double.parseDouble(word());
-        }
-        double value = exponent < 0 ? mantissa / POWERS_OF_TEN[-exponent] : mantissa * POWERS_OF_TEN[exponent];
-        return negative ? -value : value;
+        double value = mantissa / POWERS_OF_TEN[decimals];
+        return isNegative ? -value : value;
     }
 
-    /** Reads a sign, if there is one; returns whether it is negative. */
-    private boolean sign() {
-        boolean negative = bytes[at] == '-';
-        if (negative || bytes[at] == '+') {
-            at++;
-        }
-        return negative;
-    }
-
-    /** Appends digits to the mantissa; returns how many. */
-    private int digits() {
-        byte[] b = bytes;
-        int i = at;
-        for (int d; (d = b[i] - '0') >= 0 && d <= 9; i++) {
-            mantissa = 10 * mantissa + d;
-        }
-        int count = i - at;
-        at = i;
-        return count;
-    }
-
-    /** Reads the exponent behind an e. */
-    private int power() {
-        boolean negative = sign();
-        int power = 0;
-        for (int d; (d = bytes[at] - '0') >= 0 && d <= 9; at++) {
-            power = Math.min(10 * power + d, HUGE_EXPONENT);
-        }
-        return negative ? -power : power;
+    private double readByLibrary() {
+        String word = word();
+        return NUMBER.matcher(word).matches() ? Double.parseDouble(word) : Double.NaN;
     }
 }
