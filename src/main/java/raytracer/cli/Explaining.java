@@ -7,12 +7,10 @@ import java.util.List;
 import raytracer.image.Image;
 import raytracer.parser.Declarations;
 import raytracer.scene.Colour;
-import raytracer.scene.Material;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.Explainer;
 import raytracer.tracer.Tracer;
-import raytracer.tracer.rays.Samples;
 
 /** Says how a pixel gets its colour: every ray, what it hits, and what each light adds. */
 final class Explaining {
@@ -35,21 +33,21 @@ final class Explaining {
     List<String> explain(int x, int y) {
         Tracer tracer = Tracer.compile(scene, 1);
         lines.add(file + ": pixel " + x + "," + y + " of " + scene.width() + "x" + scene.height());
-        List<Explainer.Step> steps = tracer.newExplainer().explain(x, y);
+        Explainer.Explanation explanation = tracer.newExplainer().explain(x, y);
+        List<Explainer.Step> steps = explanation.steps();
         for (int i = 0; i < steps.size(); i++) {
-            explain(i + 1, steps.get(i));
+            explain(i + 1, steps.get(i), i + 1 == steps.size());
         }
-        Samples samples = new Samples();
-        tracer.newTileTracer().traceCentres(x, y, 1, 1, samples);
-        Colour colour = new Colour(samples.red[0], samples.green[0], samples.blue[0]);
+        Colour colour = explanation.colour();
         Image pixel = new Image(1, 1);
-        pixel.setPixels(0, 0, 1, 1, samples.red, samples.green, samples.blue);
+        pixel.setPixels(0, 0, 1, 1, new double[] {colour.red()}, new double[] {colour.green()},
+                new double[] {colour.blue()});
         int rgb = pixel.rgb(0, 0);
         lines.add("colour " + text(colour) + " -> " + (rgb >> 16) + " " + (rgb >> 8 & 255) + " " + (rgb & 255));
         return lines;
     }
 
-    private void explain(int number, Explainer.Step step) {
+    private void explain(int number, Explainer.Step step, boolean isLast) {
         lines.add(String.format("%-3d", number) + (number == 1 ? "ray from the eye " : "mirrored ray from ")
                 + text(step.origin()) + " towards " + text(step.direction())
                 + (number == 1 ? "" : ", of which " + text(step.weight()) + " reaches the pixel"));
@@ -60,19 +58,18 @@ final class Explaining {
         }
         add("hits " + shape(hit.surface()) + " at distance " + text(hit.distance()) + ", point " + text(hit.point())
                 + ", normal " + text(hit.normal()));
-        for (int other : hit.asNear()) {
+        for (int other : step.asNear()) {
             add("as near as " + shape(other) + ", within rounding: the first declared is seen");
         }
         add("ambient   " + text(hit.material().ambient()));
-        for (int i = 0; i < step.lights().size(); i++) {
-            add(text(declarations.lights().get(i)) + " " + text(step.lights().get(i), hit.material()));
+        for (int i = 0; i < declarations.lights().size(); i++) {
+            add(text(declarations.lights().get(i)) + " " + (step.lights().isEmpty()
+                    ? "adds nothing: 'diffuse' and 'specular' are black" : text(step.lights().get(i))));
         }
-        String mirror = text(hit.material().specular());
-        add("mirror    " + switch (step.end()) {
-            case MAX_DEPTH -> mirror + ": not followed, as maxdepth is " + scene.maxDepth();
-            case NO_MIRROR -> mirror + ": none, as 'specular' is black";
-            default -> mirror + " of what the next ray brings";
-        });
+        Colour mirror = hit.material().specular();
+        add("mirror    " + text(mirror) + (number == scene.maxDepth() ? ": not followed, as maxdepth is " + number
+                : mirror.isBlack() ? ": none, as 'specular' is black"
+                : isLast ? ": not followed, as it can change the pixel no more" : " of what the next ray brings"));
     }
 
     private void add(String line) {
@@ -87,15 +84,14 @@ final class Explaining {
         return place.command() + " (" + file + ":" + place.line() + ")";
     }
 
-    private String text(Explainer.Lit light, Material material) {
+    private String text(Explainer.Lit light) {
         if (light.isBlocked()) {
             return "blocked by " + (light.blocker() < 0 ? "a surface that is here within rounding"
                     : shape(light.blocker()) + " at " + text(light.blockedAt()))
                     + (Double.isInfinite(light.distance()) ? "" : " of " + text(light.distance()));
         }
         if (!light.isFacing()) {
-            return "adds nothing: " + (material.diffuse().isBlack() && material.specular().isBlack()
-                    ? "'diffuse' and 'specular' are black" : "it is behind the surface");
+            return "adds nothing: it is behind the surface";
         }
         return "adds diffuse " + text(light.diffuse()) + " and highlight " + text(light.highlight());
     }

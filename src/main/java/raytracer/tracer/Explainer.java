@@ -5,59 +5,55 @@ import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.rays.BatchObserver;
+import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
-import raytracer.tracer.search.ClosestHit;
+import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.SearchWorkspace;
-import raytracer.tracer.search.Ties;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
-/**
- * The algorithm for one ray, step by step: what {@link TileTracer} does for many, by the same kernels on a batch of
- * one. Each step says what it found.
- */
-public final class Explainer {
+/** Says how a pixel gets its colour: takes note of each step while its ray is traced, in a batch of its own. */
+public final class Explainer implements BatchObserver {
 
-    private final Pinhole pinhole;
+    private final TileTracer tracer;
     private final List<Surfaces> surfaces;
     private final SurfaceTable table;
-    private final List<LightSource> lights;
-    private final int maxDepth;
-
-    private final SearchWorkspace space = new SearchWorkspace();
-    private final Rays rays = new Rays();
+    private final Rays rays;
+    private final SearchWorkspace space;
     private final Rays towardsLight = new Rays();
 
-    Explainer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth) {
-        this.pinhole = pinhole;
+    private List<Step> steps;
+    private Step step;
+    private boolean isFacing;
+
+    Explainer(TileTracer tracer, List<Surfaces> surfaces, SurfaceTable table) {
+        this.tracer = tracer;
         this.surfaces = surfaces;
         this.table = table;
-        this.lights = lights;
-        this.maxDepth = maxDepth;
+        rays = tracer.rays();
+        space = tracer.space();
     }
 
-    /** Where a path ends. */
-    public enum End { HITS_NOTHING, MAX_DEPTH, NO_MIRROR, GOES_ON }
+    /** @param colour of the pixel, not cut to a range */
+    public record Explanation(List<Step> steps, Colour colour) { }
 
     /**
      * A ray and what becomes of it.
      *
      * @param weight how much of its light reaches the pixel
+     * @param asNear the numbers of surfaces that are as near as the one it hits, within rounding
      * @param hit    null if it hits nothing
-     * @param lights what each light adds, in the order of declaration; empty if nothing is hit
+     * @param lights what each light adds, in the order of declaration; empty if nothing is hit or reflects light
      */
-    public record Step(Vector origin, Vector direction, Colour weight, Hit hit, List<Lit> lights, End end) { }
+    public record Step(Vector origin, Vector direction, Colour weight, List<Integer> asNear, Hit hit,
+            List<Lit> lights) { }
 
-    /**
-     * @param surface the surface's number in the order of declaration
-     * @param asNear  the numbers of others that are as near, within rounding
-     */
-    public record Hit(int surface, double distance, Vector point, Vector normal, Material material,
-            List<Integer> asNear) { }
+    /** @param surface the surface's number in the order of declaration */
+    public record Hit(int surface, double distance, Vector point, Vector normal, Material material) { }
 
     /**
      * A light as it is seen from a hit.
@@ -71,87 +67,68 @@ public final class Explainer {
     public record Lit(Colour diffuse, Colour highlight, boolean isFacing, boolean isBlocked, int blocker,
             double blockedAt, double distance) { }
 
-    /** The steps of the ray through a pixel's centre, from the eye on; pixels count from the left and the top. */
-    public List<Step> explain(int x, int y) {
+    /** Follows the ray through a pixel's centre; pixels count from the left and the top. */
+    public Explanation explain(int x, int y) {
+        steps = new ArrayList<>();
         Samples samples = new Samples();
         samples.setCentres(x, y, 1, 1);
-        rays.start(pinhole.aiming(rays), samples, 0, 1);
-        List<Step> steps = new ArrayList<>();
-        Colour weight = new Colour(1, 1, 1);
-        for (int depth = 1; ; depth++) {
-            Step step = step(weight, depth);
-            steps.add(step);
-            if (step.end != End.GOES_ON) {
-                return steps;
-            }
-            Colour mirror = step.hit.material.specular();
-            weight = new Colour(weight.red() * mirror.red(), weight.green() * mirror.green(),
-                    weight.blue() * mirror.blue());
-            rays.leaveEye = false;
-            rays.mirror();
-        }
+        tracer.trace(samples, this);
+        return new Explanation(steps, new Colour(samples.red[0], samples.green[0], samples.blue[0]));
     }
 
-    private Step step(Colour weight, int depth) {
-        Vector origin = origin(), direction = new Vector(rays.dx[0], rays.dy[0], rays.dz[0]);
-        rays.clearHits();
-        for (Surfaces kind : surfaces) {
-            Kernel.run(ClosestHit.among(kind, rays, space), 0, 1);
-        }
-        new Ties(table.declared(), surfaces, rays, space.surfaces()).settle();
-        int surface = rays.hit[0];
-        if (surface == Rays.NONE) {
-            return new Step(origin, direction, weight, null, List.of(), End.HITS_NOTHING);
-        }
-        List<Integer> asNear = asNear(surface);
-        for (Surfaces kind : surfaces) {
-            if (kind.owns(surface)) {
-                kind.moving(rays, space.surfaces()).run(0, 1);
-            }
-        }
-        Material material = table.materials()[table.materialIndex()[surface]];
-        Hit hit = new Hit(table.declared()[surface], rays.distance[0], origin(),
-                new Vector(rays.nx[0], rays.ny[0], rays.nz[0]), material, asNear);
-        End end = depth == maxDepth ? End.MAX_DEPTH : material.specular().isBlack() ? End.NO_MIRROR : End.GOES_ON;
-        List<Lit> lit = lights.stream().map(light -> lit(light, material)).toList();
-        return new Step(origin, direction, weight, hit, lit, end);
-    }
-
-    private Vector origin() {
-        return new Vector(rays.ox[0], rays.oy[0], rays.oz[0]);
+    @Override
+    public void found() {
+        Colour weight = rays.leaveEye ? new Colour(1, 1, 1) : new Colour(rays.red[0], rays.green[0], rays.blue[0]);
+        List<Integer> asNear = rays.hit[0] == Rays.NONE ? List.of() : asNear(rays.hit[0]);
+        step = new Step(rays.origin.get(0), rays.direction.get(0), weight, asNear, null, List.of());
+        steps.add(step);
     }
 
     /** Other surfaces whose distance rounding cannot tell from that of the one that is seen. */
     private List<Integer> asNear(int seen) {
         List<Integer> numbers = new ArrayList<>();
-        double[] reach = new double[1];
-        for (int round = 0; round < 2; round++) {
-            boolean isSecond = round == 1;
-            for (Surfaces kind : surfaces) {
-                kind.collect(rays, 0, (surface, distance, error) -> {
-                    double slack = Rounding.tie(error, distance);
-                    if (surface == seen) {
-                        reach[0] = distance + slack;
-                    } else if (isSecond && distance - slack <= reach[0]) {
-                        numbers.add(table.declared()[surface]);
-                    }
-                }, space.surfaces());
+        double[] farthest = {rays.distance[0]};
+        collect(rays, (surface, t, error) -> farthest[0] += surface == seen ? Rounding.tie(error, t) : 0);
+        collect(rays, (surface, t, error) -> {
+            if (surface != seen && t - Rounding.tie(error, t) <= farthest[0]) {
+                numbers.add(table.declared()[surface]);
             }
-        }
+        });
         return numbers;
     }
 
-    private Lit lit(LightSource light, Material material) {
-        Colour diffuse = part(light, new Material(Colour.BLACK, material.diffuse(), Colour.BLACK, 1));
-        Colour highlight = part(light,
-                new Material(Colour.BLACK, Colour.BLACK, material.specular(), material.shininess()));
-        Shading whole = new Shading(surfaces, List.of(light), rays, space);
-        whole.shade(0, 1, material, null);
-        double distance = whole.lightDistance(0);
-        if (whole.shadowCount() == 0 || whole.isUnoccluded(0)) {
-            return new Lit(diffuse, highlight, whole.shadowCount() > 0, false, -1, 0, distance);
+    private void collect(Rays from, Candidates candidates) {
+        for (Surfaces kind : surfaces) {
+            kind.collect(from, 0, candidates, space.surfaces());
         }
-        return blocked(light, distance);
+    }
+
+    @Override
+    public void moved() {
+        if (rays.count > 0) {
+            int surface = rays.hit[0];
+            Hit hit = new Hit(table.declared()[surface], rays.distance[0], rays.origin.get(0), rays.normal.get(0),
+                    table.materials()[table.materialIndex()[surface]]);
+            step = new Step(step.origin, step.direction, step.weight, step.asNear, hit, new ArrayList<>());
+            steps.set(steps.size() - 1, step);
+        }
+    }
+
+    @Override
+    public void aimed(int from, int to, ShadowRays shadows) {
+        isFacing = shadows.unoccluded[0];
+    }
+
+    @Override
+    public void lit(int from, int to, ShadowRays shadows, Material material) {
+        if (isFacing && !shadows.unoccluded[0]) {
+            step.lights.add(blocked(shadows));
+            return;
+        }
+        Colour diffuse = part(shadows.light, new Material(Colour.BLACK, material.diffuse(), Colour.BLACK, 1));
+        Colour highlight = part(shadows.light,
+                new Material(Colour.BLACK, Colour.BLACK, material.specular(), material.shininess()));
+        step.lights.add(new Lit(diffuse, highlight, isFacing, false, -1, 0, shadows.distance[0]));
     }
 
     /** What a light adds to a material. */
@@ -161,25 +138,21 @@ public final class Explainer {
         return new Colour(shading.red[0], shading.green[0], shading.blue[0]);
     }
 
-    private Lit blocked(LightSource light, double distance) {
-        Vector way = new Vector(light.x(), light.y(), light.z());
-        Vector unit = (light.directional() ? way : way.minus(origin())).unit();
-        towardsLight.set(0, origin(), unit);
+    private Lit blocked(ShadowRays shadows) {
+        towardsLight.set(0, rays.origin.get(0), shadows.direction.get(0));
         towardsLight.source[0] = rays.hit[0];
-        towardsLight.originError[0] = rays.originError[0] + rays.slide[0];
+        towardsLight.originError[0] = shadows.originError[0];
         towardsLight.directionError[0] = 2 * Rounding.U;
         towardsLight.clearHits();
-        towardsLight.distance[0] = distance;
+        towardsLight.distance[0] = shadows.distance[0];
         int[] blocker = {-1};
-        double[] blockedAt = {distance};
-        for (Surfaces kind : surfaces) {
-            kind.collect(towardsLight, 0, (surface, t, error) -> {
-                if (t < blockedAt[0]) {
-                    blocker[0] = table.declared()[surface];
-                    blockedAt[0] = t;
-                }
-            }, space.surfaces());
-        }
-        return new Lit(Colour.BLACK, Colour.BLACK, true, true, blocker[0], blockedAt[0], distance);
+        double[] blockedAt = {shadows.distance[0]};
+        collect(towardsLight, (surface, t, error) -> {
+            if (t < blockedAt[0]) {
+                blocker[0] = table.declared()[surface];
+                blockedAt[0] = t;
+            }
+        });
+        return new Lit(Colour.BLACK, Colour.BLACK, true, true, blocker[0], blockedAt[0], shadows.distance[0]);
     }
 }

@@ -6,12 +6,12 @@ import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
+import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.SearchWorkspace;
-import raytracer.tracer.settled.SettledCells;
 import raytracer.tracer.surface.Surfaces;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
@@ -49,16 +49,6 @@ final class Shading {
         }
     }
 
-    /** How far the last light is from where a ray has arrived. */
-    double lightDistance(int ray) {
-        return shadows.distance[ray];
-    }
-
-    /** Whether the last light is seen from there, if it would add anything. */
-    boolean isUnoccluded(int ray) {
-        return shadows.unoccluded[ray];
-    }
-
     /** How many shadow rays were traced since this was made. */
     long shadowCount() {
         return shadowCount;
@@ -67,9 +57,9 @@ final class Shading {
     /**
      * Shades rays from one index to another, which have arrived at surfaces of this material.
      *
-     * @param cells takes note of which lights are seen; null if nobody does
+     * @param observer null if nobody looks on
      */
-    void shade(int from, int to, Material ofAll, SettledCells cells) {
+    void shade(int from, int to, Material ofAll, BatchObserver observer) {
         material = ofAll;
         Arrays.fill(red, from, to, material.ambient().red());
         Arrays.fill(green, from, to, material.ambient().green());
@@ -82,8 +72,8 @@ final class Shading {
             light = each;
             Kernel.run(aim, from, to);
             int unoccluded = findReflectance(from, to);
-            if (cells != null) {
-                cells.aimed(from, to, shadows);
+            if (observer != null) {
+                observer.aimed(from, to, shadows);
             }
             if (unoccluded > 0) {
                 shadowCount += unoccluded;
@@ -92,8 +82,8 @@ final class Shading {
                 }
                 Kernel.run(addLight, from, to);
             }
-            if (cells != null) {
-                cells.lit(from, to, shadows, material);
+            if (observer != null) {
+                observer.lit(from, to, shadows, material);
             }
         }
     }

@@ -7,6 +7,7 @@ import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Kernel;
+import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
@@ -59,8 +60,8 @@ public final class TileTracer {
     private int depth;
 
     private final SettledCells cells;
-    /** Null unless something is to be proved. */
-    private SettledCells watching;
+    /** Null if nobody looks on. */
+    private BatchObserver observer;
 
     /** What is being traced: rays know their sample's number as their pixel. */
     private Samples samples;
@@ -89,6 +90,14 @@ public final class TileTracer {
         cells = new SettledCells(surfaces, rays, space);
     }
 
+    Rays rays() {
+        return rays;
+    }
+
+    SearchWorkspace space() {
+        return space;
+    }
+
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
@@ -107,12 +116,17 @@ public final class TileTracer {
      */
     public boolean[] traceCorners(int left, int top, int columns, int rows, double tolerance, Samples all) {
         all.setCorners(left, top, columns, rows);
-        samples = all;
         cells.start(columns + 1, rows + 1, tolerance);
-        watching = cells;
-        trace(0, all.count);
-        watching = null;
+        trace(all, cells);
         return cells.settled(all);
+    }
+
+    /** Traces the rays through all of these points together, while somebody looks on. */
+    void trace(Samples all, BatchObserver onlooker) {
+        samples = all;
+        observer = onlooker;
+        trace(0, all.count);
+        observer = null;
     }
 
     /** Traces the rays through the centres of a tile's pixels, which become the points, and sets their colours. */
@@ -159,8 +173,8 @@ public final class TileTracer {
             Kernel.run(kind, 0, rays.count);
         }
         ties.settle();
-        if (watching != null) {
-            watching.found();
+        if (observer != null) {
+            observer.found();
         }
     }
 
@@ -175,8 +189,8 @@ public final class TileTracer {
             int kind = kindOf(rays.hit[groups.start(group)]);
             Kernel.run(move[kind], groups.start(group), groups.end(group));
         }
-        if (watching != null) {
-            watching.moved();
+        if (observer != null) {
+            observer.moved();
         }
     }
 
@@ -190,7 +204,7 @@ public final class TileTracer {
 
     private void shade() {
         for (int group = 0; group < groups.count(); group++) {
-            shading.shade(groups.start(group), groups.end(group), materials[groups.material(group)], watching);
+            shading.shade(groups.start(group), groups.end(group), materials[groups.material(group)], observer);
         }
     }
 

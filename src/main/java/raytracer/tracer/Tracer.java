@@ -87,7 +87,7 @@ public final class Tracer {
 
     /** What follows single rays and says what they find. */
     public Explainer newExplainer() {
-        return new Explainer(pinhole, surfaces, table, lights, maxDepth);
+        return new Explainer(newTileTracer(), surfaces, table);
     }
 
     /** A tracer for one thread's use. */

@@ -69,6 +69,16 @@ class ExplainTest extends CommandLine {
     }
 
     @Test
+    void followsNoMirrorThatCannotChangeThePixel() throws IOException {
+        Path bright = folder.resolve("bright.scene");
+        Files.writeString(bright, "size 4 4\ncamera 0 0 5 0 0 0 0 1 0 45\nmaxdepth 2\nambient 1 1 1\nspecular .5 .5 .5\n"
+                + "sphere 0 0 0 9\n");
+        assertEquals(0, run(bright.toString(), "--explain", "1,1"));
+        assertTrue(out().contains("mirror    (0.5, 0.5, 0.5): not followed, as it can change the pixel no more"), out());
+        assertEquals(6, out().lines().count(), out());
+    }
+
+    @Test
     void followsMirrorsAsDeepAsAllowed() {
         assertEquals(0, run(scene, "--explain", "20,16"));
         assertTrue(out().contains("1  ray from") && out().contains("hits sphere (" + scene + ":10)"), out());

@@ -48,7 +48,7 @@ class ExplainerTest {
         for (int y = 0; y < scene.height(); y++) {
             for (int x = 0; x < scene.width(); x++) {
                 int i = 3 * (y * scene.width() + x);
-                double[] sum = sum(explainer.explain(x, y));
+                double[] sum = sum(explainer.explain(x, y).steps());
                 picture.setPixels(x, y, 1, 1, new double[] {traced[i]}, new double[] {traced[i + 1]},
                         new double[] {traced[i + 2]});
                 sums.setPixels(x, y, 1, 1, new double[] {sum[0]}, new double[] {sum[1]}, new double[] {sum[2]});
@@ -83,16 +83,16 @@ class ExplainerTest {
     void namesWhatIsAsNear() throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 5 0 0 0 0 1 0 45\nambient 1 0 0\nsphere 0 0 0 1\n"
                 + "plane 0 0 1 0 0 1\nsphere 0 0 -3 1\n").scene();
-        Explainer.Hit hit = Tracer.compile(scene, 1).newExplainer().explain(0, 0).get(0).hit();
-        assertEquals(0, hit.surface());
-        assertEquals(List.of(1), hit.asNear());
+        Explainer.Step step = Tracer.compile(scene, 1).newExplainer().explain(0, 0).steps().get(0);
+        assertEquals(0, step.hit().surface());
+        assertEquals(List.of(1), step.asNear());
     }
 
     @Test
     void namesWhatBlocksALight() throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 5 0 0 0 0 1 0 45\npoint 0 0 9 1 1 1\npoint 0 8 0 1 1 1\n"
                 + "directional 0 0 1 1 1 1\ndiffuse 1 1 1\nplane 0 0 0 0 0 1\nsphere 0 0 7 .5\n").scene();
-        List<Explainer.Lit> lights = Tracer.compile(scene, 1).newExplainer().explain(0, 0).get(0).lights();
+        List<Explainer.Lit> lights = Tracer.compile(scene, 1).newExplainer().explain(0, 0).steps().get(0).lights();
         assertTrue(lights.get(0).isBlocked());
         assertEquals(1, lights.get(0).blocker());
         assertEquals(6.5, lights.get(0).blockedAt(), 1e-12);

@@ -6,6 +6,7 @@ import raytracer.scene.Material;
 import raytracer.scene.Vector;
 import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
@@ -23,7 +24,7 @@ import raytracer.tracer.surface.UnboundedSurfaces;
  * traced. What is proved of a rectangle of cells is proved of each; where that fails, its halves are tried, down to
  * single cells.
  */
-public final class SettledCells {
+public final class SettledCells implements BatchObserver {
 
     /** By how many times the tolerance the colours of a cell's corners may differ. */
     private static final double MAX_RANGE = 16;
@@ -69,7 +70,8 @@ public final class SettledCells {
         this.tolerance = tolerance;
     }
 
-    /** Takes note of all rays, which have found what they hit and are still where they started. */
+    /** Takes note of all rays. */
+    @Override
     public void found() {
         Arrays.fill(lattice.rayOf, -1);
         for (int i = 0; i < rays.count; i++) {
@@ -83,7 +85,8 @@ public final class SettledCells {
         }
     }
 
-    /** Takes note of where those that hit something have moved, and proves that nothing else is in front of that. */
+    /** Takes note of where the rays are now, and proves that nothing else is in front of that. */
+    @Override
     public void moved() {
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
@@ -153,14 +156,16 @@ public final class SettledCells {
         return true;
     }
 
-    /** Takes note of which shadow rays matter, before any is found to be occluded. */
+    /** Takes note of which shadow rays matter. */
+    @Override
     public void aimed(int from, int to, ShadowRays all) {
         for (int i = from; i < to; i++) {
             isAimed[i] = all.unoccluded[i];
         }
     }
 
-    /** Proves of the rays from one index to another that the light shines on all of a cell, or on nothing of it. */
+    /** Proves that the light shines on all of a cell, or on nothing of it. */
+    @Override
     public void lit(int from, int to, ShadowRays all, Material ofAll) {
         shadows = all;
         material = ofAll;
