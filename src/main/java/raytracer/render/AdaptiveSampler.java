@@ -10,8 +10,8 @@ import raytracer.tracer.rays.Samples;
 
 /**
  * Spends samples where a pixel is not settled. The first are at the pixels' corners; a pixel of which it is proved that
- * its corners show all there is in it is settled. All others get a closer look; by how much those samples differ
- * decides whether they will do or how many more the pixel gets ({@link SampleBudget}).
+ * its corners show all there is in it is settled. Every other gets some initial samples, and by how much those differ
+ * decides how many more ({@link SampleBudget}).
  */
 final class AdaptiveSampler implements Sampler {
 
@@ -21,15 +21,15 @@ final class AdaptiveSampler implements Sampler {
     /** The samples of each pixel at corners. */
     static final double FIRST_SAMPLES = (double) Samples.CAPACITY / (TILE_SIDE * TILE_SIDE);
 
-    /** Samples of the pixels that only tell what the picture is like: at a glance, and to judge that by. */
-    static final int GLANCE = 4;
-    private static final int PILOT = 16;
+    /** The samples of pilots: how far few are off is told by more. */
+    static final int COARSE = 4;
+    private static final int FINE = 16;
 
     private final TileTracer tracer;
     private final double error;
     private final SampleBudget budget;
     private final Samples corners = new Samples();
-    private final Points points = new Points();
+    private final SampleQueue queue;
 
     private int left;
     private int top;
@@ -42,51 +42,54 @@ final class AdaptiveSampler implements Sampler {
         this.tracer = tracer;
         this.error = error;
         this.budget = budget;
+        queue = new SampleQueue(tracer);
     }
 
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
-        look(left, top, columns, rows, budget.closer());
+        sample(left, top, columns, rows, budget.initial());
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (!settled[pixel]) {
-                add(pixel, budget.samples(means.variance(pixel)) - budget.closer());
+                add(pixel, budget.samples(means.variance(pixel)) - budget.initial());
             }
         }
-        points.trace(tracer, means);
+        queue.flush();
         means.send(left, top, columns, rows, sink);
     }
 
     /** What those of a rectangle's pixels are like that are not settled. */
     List<SampleBudget.Pilot> pilots(int left, int top, int columns, int rows) {
-        look(left, top, columns, rows, GLANCE);
-        PixelMeans atAGlance = means;
+        sample(left, top, columns, rows, COARSE);
+        PixelMeans coarse = means;
         means = new PixelMeans(columns * rows);
+        queue.start(means);
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (!settled[pixel]) {
-                add(pixel, PILOT);
+                add(pixel, FINE);
             }
         }
-        points.trace(tracer, means);
+        queue.flush();
         return IntStream.range(0, settled.length).filter(pixel -> !settled[pixel])
-                .mapToObj(pixel -> new SampleBudget.Pilot(atAGlance.variance(pixel), means.variance(pixel),
-                        means.squaredDifference(atAGlance, pixel))).toList();
+                .mapToObj(pixel -> new SampleBudget.Pilot(coarse.variance(pixel), means.variance(pixel),
+                        means.squaredDifference(coarse, pixel))).toList();
     }
 
-    /** Takes samples at corners, which are those of settled pixels, and a closer look at all other pixels. */
-    private void look(int left, int top, int columns, int rows, int closer) {
+    /** Takes samples at corners, which are those of settled pixels, and initial ones of all other pixels. */
+    private void sample(int left, int top, int columns, int rows, int initial) {
         this.left = left;
         this.top = top;
         this.columns = columns;
         means = new PixelMeans(columns * rows);
+        queue.start(means);
         settled = tracer.traceCorners(left, top, columns, rows, error, corners);
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (settled[pixel]) {
                 addCorners(pixel);
             } else {
-                add(pixel, closer);
+                add(pixel, initial);
             }
         }
-        points.trace(tracer, means);
+        queue.flush();
     }
 
     private void addCorners(int pixel) {
@@ -98,7 +101,7 @@ final class AdaptiveSampler implements Sampler {
     }
 
     private void add(int pixel, int samples) {
-        points.add(pixel, left + pixel % columns, top + pixel / columns, samples, 0);
+        queue.add(pixel, left + pixel % columns, top + pixel / columns, samples, 0);
     }
 
     @Override

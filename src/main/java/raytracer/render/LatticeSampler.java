@@ -3,31 +3,28 @@ package raytracer.render;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
-import raytracer.tracer.rays.Samples;
 
-/** Every pixel is the mean of as many samples, of a lattice ({@link Points}). */
+/** Every pixel is the mean of the same number of samples, a lattice ({@link SampleQueue}). */
 final class LatticeSampler implements Sampler {
 
     private final TileTracer tracer;
     private final Sampling.Lattice lattice;
-    private final Points points = new Points();
+    private final SampleQueue queue;
 
     LatticeSampler(TileTracer tracer, Sampling.Lattice lattice) {
         this.tracer = tracer;
         this.lattice = lattice;
+        queue = new SampleQueue(tracer);
     }
 
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
         PixelMeans means = new PixelMeans(columns * rows);
+        queue.start(means);
         for (int pixel = 0; pixel < columns * rows; pixel++) {
-            points.add(pixel, left + pixel % columns, top + pixel / columns, lattice.count(), lattice.seed());
-            // Not all at a time, as there may be very many samples a pixel.
-            if (points.count() >= Samples.CAPACITY) {
-                points.trace(tracer, means);
-            }
+            queue.add(pixel, left + pixel % columns, top + pixel / columns, lattice.count(), lattice.seed());
         }
-        points.trace(tracer, means);
+        queue.flush();
         means.send(left, top, columns, rows, sink);
     }
 

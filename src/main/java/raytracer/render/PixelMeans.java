@@ -20,13 +20,6 @@ final class PixelMeans {
         count = new int[pixels];
     }
 
-    /** @param pixel of each sample, from index {@code first} on */
-    void add(Samples samples, int[] pixel, int first) {
-        for (int i = 0; i < samples.count; i++) {
-            add(samples, i, pixel[first + i]);
-        }
-    }
-
     /** Adds sample i to a pixel, cut to [0, 1] as if it were its colour. */
     void add(Samples samples, int i, int pixel) {
         double r = cut(samples.red[i]), g = cut(samples.green[i]), b = cut(samples.blue[i]);

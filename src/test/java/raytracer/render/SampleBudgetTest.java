@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 @DisplayName("A budget of samples")
 class SampleBudgetTest {
 
-    /** C of the edges' errors, squared, if a glance of 4 samples is off by as much as a grid of them at an edge. */
+    /** C of the edges' errors, squared, if 4 samples are off by as much as a grid of them at an edge. */
     private static final double C2 = 0.7 * 0.7;
 
     private static final double CAUTION2 = 1.3 * 1.3;
@@ -22,9 +22,9 @@ class SampleBudgetTest {
         return pilots(count, variance, variance);
     }
 
-    private static List<List<SampleBudget.Pilot>> pilots(int count, double atAGlance, double variance) {
+    private static List<List<SampleBudget.Pilot>> pilots(int count, double coarse, double variance) {
         return Collections.nCopies(count,
-                List.of(new SampleBudget.Pilot(atAGlance, variance, C2 * variance * Math.pow(4, -1.5))));
+                List.of(new SampleBudget.Pilot(coarse, variance, C2 * variance * Math.pow(4, -1.5))));
     }
 
     private static double samples(double variance, double square) {
@@ -56,7 +56,7 @@ class SampleBudgetTest {
         SampleBudget budget = SampleBudget.plan(pilots(2500, .1), 125_000, .0015, 1.1);
         assertEquals(0, budget.all());
         assertEquals(samples(.1 / 50, 2.25e-6 / 1.04), budget.samples(.1), 1, budget.toString());
-        assertEquals(budget.closer(), budget.samples(0));
+        assertEquals(budget.initial(), budget.samples(0));
     }
 
     @Test
@@ -68,7 +68,7 @@ class SampleBudgetTest {
     }
 
     @Test
-    void isMoreWhereAGlanceOverlooksMuch() {
+    void isMoreWhereFewSamplesOverlookMuch() {
         List<List<SampleBudget.Pilot>> seen = pilots(50, .1), overlooked = pilots(50, 0, .1);
         SampleBudget a = SampleBudget.plan(seen, 1000, .01, 1.1), b = SampleBudget.plan(overlooked, 1000, .01, 1.1);
         assertEquals(0, a.unseen());
@@ -83,7 +83,7 @@ class SampleBudgetTest {
     }
 
     @Test
-    void isMoreWhereAGlanceIsOffByMore() {
+    void isMoreWhereFewSamplesAreOffByMore() {
         List<List<SampleBudget.Pilot>> even = pilots(1000, .1), uneven = Collections.nCopies(1000,
                 List.of(new SampleBudget.Pilot(.1, .1, .1 / 4)));
         assertTrue(SampleBudget.plan(uneven, 1000, .01, 1.1).all() > 2 * SampleBudget.plan(even, 1000, .01, 1.1).all());

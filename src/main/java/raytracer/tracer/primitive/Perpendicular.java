@@ -4,9 +4,9 @@ import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 
 /**
- * The perpendicular from a point c to rays: how far along a ray its origin is from the foot, by how much its square is
- * less than another, and where a ray so hits the sphere around c. Rays that start at the same point come to the same
- * numbers, to the last bit, from half as many ({@link Kernel.DotWith} and {@link InsideOfOne}).
+ * The perpendicular from a sphere's centre c to rays: how far along a ray its origin is from the foot, by how much the
+ * perpendicular's square is less than another, and where the ray hits the sphere. For rays from one point there are
+ * kernels that do the same, to the last bit, with half of the arithmetic ({@link Kernel.DotWith}, {@link InsideOfOne}).
  */
 public final class Perpendicular {
 
@@ -24,7 +24,7 @@ public final class Perpendicular {
         }
     }
 
-    /** inside = most - |o - c - along d|^2 */
+    /** inside = max - |o - c - along d|^2 */
     record Inside(Vectors origin, double cx, double cy, double cz, double max, Vectors direction, double[] along,
             double[] inside) implements Kernel {
         @Override
@@ -41,7 +41,7 @@ public final class Perpendicular {
         }
     }
 
-    /** inside = most - |(x, y, z) - along d|^2, where (x, y, z) is the o - c of all */
+    /** inside = max - |(x, y, z) - along d|^2, where (x, y, z) is the o - c of all */
     record InsideOfOne(double x, double y, double z, double max, Vectors direction, double[] along, double[] inside)
             implements Kernel {
         @Override
@@ -61,7 +61,7 @@ public final class Perpendicular {
      * {@link Spheres} computes for one ray.
      *
      * @param power  of that point
-     * @param inside with the square of the radius as the most
+     * @param inside with the square of the radius as its max
      */
     record Distance(double power, double[] along, double[] inside, double[] distance) implements Kernel {
         @Override

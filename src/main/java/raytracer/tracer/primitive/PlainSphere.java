@@ -19,9 +19,9 @@ public final class PlainSphere {
     private PlainSphere() { }
 
     /**
-     * Whether a ray is clear of a sphere, without a closer look.
+     * Whether a ray is clear of a sphere, without the robust test.
      *
-     * @param square of half the chord, as it were
+     * @param square r^2 less the square of the perpendicular from the centre: of half the chord, if the ray hits
      * @param error  how far off the ray's origin may be
      */
     static boolean isClear(double square, double radius, double error) {
@@ -29,11 +29,11 @@ public final class PlainSphere {
     }
 
     /**
-     * Takes what is hit clearly, and nearer than all before; lists the rays that need a closer look.
+     * Records hits that are certain, and nearer than all before; lists the rays for the robust test.
      *
-     * @param doubt whether a ray hits the sphere is certain unless the square of half the chord is nearer to 0
+     * @param doubt whether a ray hits is certain unless the square of half the chord is nearer to 0 than this
      */
-    record TakeNearer(Rays rays, double doubt, int surface, Workspace workspace) implements Kernel {
+    record RecordHits(Rays rays, double doubt, int surface, Workspace workspace) implements Kernel {
         @Override
         public void run(int from, int to) {
             double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
@@ -58,12 +58,12 @@ public final class PlainSphere {
     }
 
     /**
-     * Occludes the rays to a light that are blocked for certain; lists the rays that need a closer look.
+     * Occludes the shadow rays that are blocked for certain; lists the rays for the robust test.
      *
      * @param radius   of the sphere
      * @param lightSide 1 if the light is outside of it, -1 inside, 0 on it
      */
-    record Close(Rays rays, ShadowRays shadows, double radius, int surface, int lightSide, Workspace workspace)
+    record Occlude(Rays rays, ShadowRays shadows, double radius, int surface, int lightSide, Workspace workspace)
             implements Kernel {
         @Override
         public void run(int from, int to) {

@@ -123,7 +123,7 @@ public final class Planes implements UnboundedSurfaces {
         for (int k = 0; k < count; k++) {
             int side = sideOfLight(shadows.light, k);
             if (side != 0) {
-                close(rays, shadows.unoccluded, k, side, from, to);
+                occlude(rays, shadows.unoccluded, k, side, from, to);
             }
         }
     }
@@ -141,7 +141,7 @@ public final class Planes implements UnboundedSurfaces {
     }
 
     /** Occludes the rays from points that are clearly not on the light's side of a plane, nor on the plane. */
-    private void close(Rays rays, boolean[] unoccluded, int k, int side, int from, int to) {
+    private void occlude(Rays rays, boolean[] unoccluded, int k, int side, int from, int to) {
         for (int i = from; i < to; i++) {
             if (unoccluded[i] && isBehind(rays, i, k, side * offset(rays, i, k))) {
                 unoccluded[i] = false;

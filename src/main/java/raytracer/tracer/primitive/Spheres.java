@@ -106,7 +106,7 @@ public final class Spheres extends BoundedSurfaces {
         double l1Norm = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
         double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
         Kernel.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
-        Kernel.run(new PlainSphere.TakeNearer(rays, doubt, surface(k), workspace), from, to);
+        Kernel.run(new PlainSphere.RecordHits(rays, doubt, surface(k), workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             intersect(rays, workspace.doubtful[n], k);
         }
@@ -120,7 +120,7 @@ public final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, workspace);
-        Kernel.run(new PlainSphere.Close(rays, shadows, data.radius(k), surface(k), lightSide, workspace), from, to);
+        Kernel.run(new PlainSphere.Occlude(rays, shadows, data.radius(k), surface(k), lightSide, workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             int i = workspace.doubtful[n];
             shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);

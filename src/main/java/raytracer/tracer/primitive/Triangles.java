@@ -171,7 +171,7 @@ public final class Triangles extends BoundedSurfaces {
      */
     private double passBy(Vectors d, int from, int to, int k, Workspace workspace) {
         Vector a = data.corner(k, 0);
-        double[][] sides = workspace.sides;
+        double[][] sides = {workspace.sides.x(), workspace.sides.y(), workspace.sides.z()};
         for (int edge = 0; edge < 3; edge++) {
             Vector b = data.corner(k, (edge + 1) % 3);
             sides(a, b, d, workspace.moment, sides[edge], from, to);

@@ -48,8 +48,8 @@ public final class AnyHit extends Search {
     }
 
     @Override
-    boolean mustWalk(int ray) {
-        return shadows.unoccluded[ray] && !(lastBlocker >= 0 && isLast(ray, lastBlocker));
+    boolean isDone(int ray) {
+        return !shadows.unoccluded[ray] || lastBlocker >= 0 && tryOne(ray, lastBlocker);
     }
 
     @Override
@@ -58,7 +58,7 @@ public final class AnyHit extends Search {
     }
 
     @Override
-    boolean isLast(int ray, int k) {
+    boolean tryOne(int ray, int k) {
         if (!surfaces.blocks(rays, shadows, ray, k)) {
             return false;
         }

@@ -31,7 +31,7 @@ public final class Beam {
 
     // By axis along which all rays go the same way, in tree space, mirrored (side is -1) where that is down: where the
     // first and the last of them starts, and how far the slowest and the fastest go for each unit along the axis.
-    // Where they go both ways perLeast is 0: such an axis tells nothing.
+    // Where they go both ways perMin is 0: such an axis tells nothing.
     private final double[] side = new double[3];
     private final double[] first = new double[3];
     private final double[] last = new double[3];

@@ -36,8 +36,8 @@ public final class ClosestHit extends Search {
     }
 
     @Override
-    boolean mustWalk(int ray) {
-        return true;
+    boolean isDone(int ray) {
+        return false;
     }
 
     @Override
@@ -46,7 +46,7 @@ public final class ClosestHit extends Search {
     }
 
     @Override
-    boolean isLast(int ray, int k) {
+    boolean tryOne(int ray, int k) {
         surfaces.intersect(rays, ray, k);
         return false;
     }

@@ -9,9 +9,8 @@ import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
 
 /**
- * Finds what a batch of rays may hit among surfaces of one kind, and has it tried. If the rays' {@link Beam} finds few
- * surfaces, all rays try those; else each ray walks the tree, from the deepest node that holds all that the beam may hit. For
- * one thread.
+ * Searches surfaces of one kind for what a batch of rays hits. If the rays' {@link Beam} finds few surfaces, all rays try
+ * those; else each ray walks the tree, from the deepest node that holds all that the beam may hit. For one thread.
  */
 abstract class Search implements Kernel {
 
@@ -43,14 +42,14 @@ abstract class Search implements Kernel {
     /** Tries one surface with all rays. */
     abstract void tryAll(int from, int to, int k);
 
-    /** Whether only a walk can tell what there is for a ray: a likely surface may be tried first. */
-    abstract boolean mustWalk(int ray);
+    /** Whether nothing has to be searched for a ray, after a likely surface has been tried. */
+    abstract boolean isDone(int ray);
 
     /** What is farther away along a ray does not matter. */
     abstract double maxDistance(int ray);
 
-    /** Tries one surface with one ray; returns whether nothing else matters any more. */
-    abstract boolean isLast(int ray, int k);
+    /** Tries one surface with one ray; returns whether the ray's search is over. */
+    abstract boolean tryOne(int ray, int k);
 
     /** Sets the line of a ray whose point has been set. */
     abstract void setDirection(SieveLine line, int ray);
@@ -82,11 +81,11 @@ abstract class Search implements Kernel {
         }
     }
 
-    // What one ray does is a method of its own: HotSpot compiles it long before a loop over rays of which few do it.
+    // One ray's walk is a method of its own: HotSpot compiles it by its number of calls, long before the loop over rays.
 
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (mustWalk(i)) {
+            if (!isDone(i)) {
                 walk(i);
             }
         }
@@ -109,7 +108,7 @@ abstract class Search implements Kernel {
         while (walk.nextLeaf(maxDistance(ray))) {
             int bits = surfaces.mayHit(walk.first(), walk.end(), space.surfaces());
             for (; bits != 0; bits &= bits - 1) {
-                if (isLast(ray, walk.first() + Integer.numberOfTrailingZeros(bits))) {
+                if (tryOne(ray, walk.first() + Integer.numberOfTrailingZeros(bits))) {
                     return;
                 }
             }

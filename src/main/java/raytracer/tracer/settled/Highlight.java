@@ -7,14 +7,14 @@ import raytracer.tracer.kernel.Batch;
 import raytracer.tracer.kernel.Vectors;
 
 /**
- * Where a highlight is as smooth in a cell as its corners make believe. It is the cosine of the angle between normal
- * and half vector to a power s; by the chord c between the two, about exp(-s c^2 / 2).
+ * Tells where a highlight is so smooth in a cell that the mean of the cell's corners will do. It is (n . h)^s; with c
+ * the chord from the normal to the half vector, about exp(-s c^2 / 2).
  */
 final class Highlight {
 
     private final Vector[] chord = new Vector[Batch.CAPACITY];
 
-    /** Sets the chord at a point of the lattice. */
+    /** Sets the chord at a corner of the grid. */
     void set(int p, Vectors towardsLight, Vectors direction, Vectors normal) {
         Vector half = towardsLight.get(p).minus(direction.get(p)).unit();
         chord[p] = half.minus(normal.get(p));
@@ -23,7 +23,7 @@ final class Highlight {
     /**
      * Whether the mean of a cell's corners is off by less than a tolerance: by the second derivative over 12 at most.
      *
-     * @param corners points of the lattice
+     * @param corners of the cell
      */
     boolean isSmooth(int[] corners, Material material, Colour light, double tolerance) {
         double s = material.shininess(), change = 0, min = Double.POSITIVE_INFINITY, max = 0;

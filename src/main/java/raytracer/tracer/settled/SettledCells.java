@@ -18,7 +18,7 @@ import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.UnboundedSurfaces;
 
 /**
- * Proves of the cells of a lattice of samples that there is nothing in them but what their corners show: no other
+ * Proves of the cells of a grid of samples that there is nothing in them but what their corners show: no other
  * surface in front, no edge of a shadow, and so on along mirrors, as far as their light can change a pixel (Genetti,
  * Gordon and Williams, Adaptive Supersampling in Object Space Using Pyramidal Rays, 1998). It watches a batch being
  * traced. What is proved of a rectangle of cells is proved of each; where that fails, its halves are tried, down to
@@ -37,10 +37,10 @@ public final class SettledCells implements BatchObserver {
     private final SearchWorkspace space;
     private final RayBundle bundle = new RayBundle();
 
-    private Lattice lattice;
+    private CornerGrid grid;
     private double tolerance;
 
-    // By point of the lattice, row by row: the ray there before it moved to its hit, and the hit.
+    // By corner, row by row: its ray before that moved to its hit, and the hit.
     private final Vectors origin = new Vectors();
     private final Vectors direction = new Vectors();
     private final double[] distance = new double[Batch.CAPACITY];
@@ -52,7 +52,7 @@ public final class SettledCells implements BatchObserver {
 
     private final Highlight highlight = new Highlight();
 
-    // The light that is looked at now, and its direction from each point.
+    // Of the shadow rays to the current light.
     private final Vectors towardsLight = new Vectors();
     private final double[] lightDistance = new double[Batch.CAPACITY];
     private ShadowRays shadows;
@@ -66,17 +66,17 @@ public final class SettledCells implements BatchObserver {
 
     /** @param tolerance by how much a pixel's colour may be off without more samples, of a range of [0, 1] */
     public void start(int columns, int rows, double tolerance) {
-        lattice = new Lattice(columns, rows);
+        grid = new CornerGrid(columns, rows);
         this.tolerance = tolerance;
     }
 
     /** Takes note of all rays. */
     @Override
     public void found() {
-        Arrays.fill(lattice.rayOf, -1);
+        Arrays.fill(grid.rayOf, -1);
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
-            lattice.rayOf[p] = i;
+            grid.rayOf[p] = i;
             origin.set(p, rays.origin, i);
             direction.set(p, rays.direction, i);
             distance[p] = rays.distance[i];
@@ -93,11 +93,11 @@ public final class SettledCells implements BatchObserver {
             point.set(p, rays.origin, i);
             normal.set(p, rays.normal, i);
         }
-        lattice.prove(this::showsWhatItsCornersShow);
+        grid.prove(this::showsWhatItsCornersShow);
     }
 
     private boolean showsWhatItsCornersShow(int left, int top, int right, int bottom) {
-        int rayCount = lattice.count(left, top, right, bottom);
+        int rayCount = grid.count(left, top, right, bottom);
         if (rayCount == 0) {
             return true;
         }
@@ -113,10 +113,10 @@ public final class SettledCells implements BatchObserver {
         }
         bundle.clear();
         for (int row = top; row <= bottom; row++) {
-            bundle.include(origin, direction, distance, row * lattice.columns + left, row * lattice.columns + right + 1);
+            bundle.include(origin, direction, distance, row * grid.columns + left, row * grid.columns + right + 1);
         }
         for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
-            int p = lattice.corner(corner, left, top, right, bottom);
+            int p = grid.corner(corner, left, top, right, bottom);
             Vector at = seen == Rays.NONE ? null : point.get(p);
             bundle.setCorner(corner, origin.get(p), direction.get(p), at, normal.get(p));
         }
@@ -127,16 +127,16 @@ public final class SettledCells implements BatchObserver {
     private boolean isFaint(int left, int top, int right, int bottom) {
         double max = 0;
         for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
-            max = Math.max(max, weight[lattice.corner(corner, left, top, right, bottom)]);
+            max = Math.max(max, weight[grid.corner(corner, left, top, right, bottom)]);
         }
         return max < tolerance / 2;
     }
 
     /** The surface that all rays hit, or {@link Rays#NONE} or {@link #SEVERAL}. */
     private int surfaceSeen(int left, int top, int right, int bottom) {
-        int seen = hit[top * lattice.columns + left];
+        int seen = hit[top * grid.columns + left];
         for (int row = top; row <= bottom; row++) {
-            for (int p = row * lattice.columns + left; p <= row * lattice.columns + right; p++) {
+            for (int p = row * grid.columns + left; p <= row * grid.columns + right; p++) {
                 if (hit[p] != seen) {
                     return SEVERAL;
                 }
@@ -169,21 +169,21 @@ public final class SettledCells implements BatchObserver {
     public void lit(int from, int to, ShadowRays all, Material ofAll) {
         shadows = all;
         material = ofAll;
-        Arrays.fill(lattice.rayOf, -1);
+        Arrays.fill(grid.rayOf, -1);
         for (int i = from; i < to; i++) {
             int p = rays.pixel[i];
-            lattice.rayOf[p] = i;
+            grid.rayOf[p] = i;
             towardsLight.set(p, all.direction, i);
             lightDistance[p] = all.distance[i];
         }
-        lattice.prove(this::isLitAlike);
+        grid.prove(this::isLitAlike);
         if (!material.specular().isBlack() && material.shininess() > 1) {
             proveSmooth();
         }
     }
 
     private boolean isLitAlike(int left, int top, int right, int bottom) {
-        int rayCount = lattice.count(left, top, right, bottom);
+        int rayCount = grid.count(left, top, right, bottom);
         if (rayCount == 0) {
             return true;
         }
@@ -199,9 +199,9 @@ public final class SettledCells implements BatchObserver {
         }
         int aimedCount = 0, seeCount = 0;
         for (int row = top; row <= bottom; row++) {
-            for (int p = row * lattice.columns + left; p <= row * lattice.columns + right; p++) {
-                aimedCount += isAimed[lattice.rayOf[p]] ? 1 : 0;
-                seeCount += shadows.unoccluded[lattice.rayOf[p]] ? 1 : 0;
+            for (int p = row * grid.columns + left; p <= row * grid.columns + right; p++) {
+                aimedCount += isAimed[grid.rayOf[p]] ? 1 : 0;
+                seeCount += shadows.unoccluded[grid.rayOf[p]] ? 1 : 0;
             }
         }
         if (aimedCount == 0) {
@@ -217,10 +217,10 @@ public final class SettledCells implements BatchObserver {
     private void encloseWaysToLight(int left, int top, int right, int bottom) {
         bundle.clear();
         for (int row = top; row <= bottom; row++) {
-            bundle.include(point, towardsLight, lightDistance, row * lattice.columns + left, row * lattice.columns + right + 1);
+            bundle.include(point, towardsLight, lightDistance, row * grid.columns + left, row * grid.columns + right + 1);
         }
         for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
-            int p = lattice.corner(corner, left, top, right, bottom);
+            int p = grid.corner(corner, left, top, right, bottom);
             Vector at = point.get(p);
             bundle.setCorner(corner, at, towardsLight.get(p), at, normal.get(p));
         }
@@ -231,7 +231,7 @@ public final class SettledCells implements BatchObserver {
     private boolean isAllBlocked(int left, int top, int right, int bottom) {
         int[] corners = new int[RayBundle.CORNERS];
         for (int corner = 0; corner < corners.length; corner++) {
-            corners[corner] = lattice.rayOf[lattice.corner(corner, left, top, right, bottom)];
+            corners[corner] = grid.rayOf[grid.corner(corner, left, top, right, bottom)];
         }
         encloseWaysToLight(left, top, right, bottom);
         for (Surfaces kind : surfaces) {
@@ -253,17 +253,17 @@ public final class SettledCells implements BatchObserver {
         return true;
     }
 
-    /** Finds the cells in which the light's highlight is not as smooth as their corners make believe. */
+    /** Finds the cells in which the highlight may differ from the mean of their corners. */
     private void proveSmooth() {
-        for (int p = 0; p < lattice.columns * lattice.rows; p++) {
-            if (lattice.rayOf[p] >= 0) {
+        for (int p = 0; p < grid.columns * grid.rows; p++) {
+            if (grid.rayOf[p] >= 0) {
                 highlight.set(p, towardsLight, direction, normal);
             }
         }
-        for (int cell = 0; cell < lattice.settled.length; cell++) {
-            int p = lattice.point(cell);
-            int[] corners = {p, p + 1, p + lattice.columns, p + lattice.columns + 1};
-            lattice.settled[cell] &= !isAnyLit(corners)
+        for (int cell = 0; cell < grid.settled.length; cell++) {
+            int p = grid.point(cell);
+            int[] corners = {p, p + 1, p + grid.columns, p + grid.columns + 1};
+            grid.settled[cell] &= !isAnyLit(corners)
                     || highlight.isSmooth(corners, material, shadows.light.colour(), tolerance);
         }
     }
@@ -271,28 +271,28 @@ public final class SettledCells implements BatchObserver {
     private boolean isAnyLit(int[] corners) {
         boolean isAny = false;
         for (int p : corners) {
-            if (lattice.rayOf[p] < 0) {
+            if (grid.rayOf[p] < 0) {
                 return false;
             }
-            isAny |= shadows.unoccluded[lattice.rayOf[p]] && weight[p] >= tolerance / 2;
+            isAny |= shadows.unoccluded[grid.rayOf[p]] && weight[p] >= tolerance / 2;
         }
         return isAny;
     }
 
     /** By cell, row by row: whether its corners' mean is its colour, given the samples' colours. */
     public boolean[] settled(Samples samples) {
-        for (int cell = 0; cell < lattice.settled.length; cell++) {
-            if (lattice.settled[cell]) {
-                int p = lattice.point(cell);
+        for (int cell = 0; cell < grid.settled.length; cell++) {
+            if (grid.settled[cell]) {
+                int p = grid.point(cell);
                 double range = Math.max(range(samples.red, p), Math.max(range(samples.green, p), range(samples.blue, p)));
-                lattice.settled[cell] = range <= MAX_RANGE * tolerance;
+                grid.settled[cell] = range <= MAX_RANGE * tolerance;
             }
         }
-        return lattice.settled;
+        return grid.settled;
     }
 
     private double range(double[] c, int p) {
-        double a = c[p], b = c[p + 1], d = c[p + lattice.columns], e = c[p + lattice.columns + 1];
+        double a = c[p], b = c[p + 1], d = c[p + grid.columns], e = c[p + grid.columns + 1];
         return Math.min(1, Math.max(Math.max(a, b), Math.max(d, e)))
                 - Math.min(1, Math.min(Math.min(a, b), Math.min(d, e)));
     }

@@ -15,18 +15,19 @@ public final class Workspace {
     public final int[] doubtful = new int[Batch.CAPACITY];
     public int doubtfulCount;
 
-    // Of a sphere: direction . (origin - centre), the square of half the chord, the distance; its centre and radius.
+    // By ray, of a sphere: direction . (origin - centre), r^2 less the perpendicular's square, the distance; what moving
+    // to the hit needs.
     public final double[] along = new double[Batch.CAPACITY];
     public final double[] square = new double[Batch.CAPACITY];
     public final double[] distance = new double[Batch.CAPACITY];
     public final Vectors centre = new Vectors();
     public final double[] radius = new double[Batch.CAPACITY];
     public final double[] l1Norm = new double[Batch.CAPACITY];
-    public final double[] spare = square;
+    public final double[] spare = new double[Batch.CAPACITY];
 
-    // Of a triangle: the sides of its edges, and the least product of two of them.
-    public final double[][] sides = {centre.x(), centre.y(), centre.z()};
-    public final double[] minProduct = square;
+    // By ray, of a triangle: the sides of its edges, and the least product of two of them.
+    public final Vectors sides = new Vectors();
+    public final double[] minProduct = new double[Batch.CAPACITY];
 
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
     public final Vectors moment = new Vectors();

@@ -3,24 +3,24 @@ package raytracer.tracer.settled;
 import java.util.Arrays;
 import raytracer.tracer.kernel.Batch;
 
-/** Points in columns and rows, and the cells between them; what is proved of a rectangle of cells is proved of each. */
-final class Lattice {
+/** Corners of pixels in columns and rows, and the cells between them, each a pixel. */
+final class CornerGrid {
 
     final int columns;
     final int rows;
 
-    /** By cell, row by row: whether nothing has been found to be unproved. */
+    /** By cell, row by row: whether all claims so far hold of it. */
     final boolean[] settled;
 
-    /** By point, row by row: its ray's index among those that are looked at now; negative if it is none of them. */
+    /** By corner, row by row: the index of its ray among those that a claim is about; negative if it has none. */
     final int[] rayOf = new int[Batch.CAPACITY];
 
-    /** What is to be proved of a rectangle of lattice points, whose sides are inclusive. */
+    /** What is to be proved of all cells between two columns and two rows of corners. */
     interface Claim {
         boolean holds(int left, int top, int right, int bottom);
     }
 
-    Lattice(int columns, int rows) {
+    CornerGrid(int columns, int rows) {
         this.columns = columns;
         this.rows = rows;
         settled = new boolean[(columns - 1) * (rows - 1)];
@@ -28,8 +28,8 @@ final class Lattice {
     }
 
     /**
-     * Tries to prove a claim of all cells: where that fails of a rectangle, its halves are tried, down to single
-     * cells.
+     * Tries to prove a claim of all cells. What holds of a rectangle holds of each cell in it; where it does not, the
+     * rectangle's halves are tried, down to single cells.
      */
     void prove(Claim claim) {
         prove(claim, 0, 0, columns - 1, rows - 1);
@@ -67,12 +67,12 @@ final class Lattice {
         return false;
     }
 
-    /** The lattice point at one of a rectangle's corners, in their order around it. */
+    /** The corner of the grid at one of a rectangle's four, in their order around it. */
     int corner(int corner, int left, int top, int right, int bottom) {
         return (corner < 2 ? top : bottom) * columns + (corner == 0 || corner == 3 ? left : right);
     }
 
-    /** How many points of a rectangle have a ray that is looked at. */
+    /** How many corners in a rectangle have a ray. */
     int count(int left, int top, int right, int bottom) {
         int count = 0;
         for (int row = top; row <= bottom; row++) {
@@ -83,7 +83,7 @@ final class Lattice {
         return count;
     }
 
-    /** The point at the upper left of a cell. */
+    /** The upper left corner of a cell. */
     int point(int cell) {
         return cell / (columns - 1) * columns + cell % (columns - 1);
     }
