@@ -1,6 +1,5 @@
 package raytracer.tracer.kernel;
 
-
 /**
  * Bounds on the rounding errors of the tracer's arithmetic. They take the place of epsilons: each grows with the
  * numbers that entered a computation, so a scene scaled by a power of two is decided in the same way, bit for bit.
@@ -189,72 +188,27 @@ public final class Rounding {
     }
 
     /**
-     * Bounds how far off along their rays points are where these have hit spheres: the {@linkplain #sphereDistance
-     * distances}' errors of rays whose directions are off as those from the eye.
+     * By ray, bounds on the errors of where it has hit a sphere: along the ray {@link #sphereDistance}, but with both
+     * errors under one root, as their roots add up to the root of 2 times their sum at most; apart from that
+     * {@link #point}; and of the normal, what the point's error makes of it.
      *
-     * @param l1Norm |x| + |y| + |z| of origin - centre; is overwritten, as is part
+     * @param l1Norm   |x| + |y| + |z| of origin - centre
+     * @param along    direction . (origin - centre)
+     * @param position |x| + |y| + |z| of the computed point
      */
-    public static Kernel sphereSlide(
-            double[] l1Norm, double[] radius, double[] along, double[] distance, double[] part, double[] out) {
-        return new Kernel.InTurn(
-                new PartOfRounding(along, distance, out, part),
-                new OfDistance(l1Norm, distance, part, out),
-                new Squares(l1Norm, radius, distance, part),
-                new AddRoots(l1Norm, along, distance, out));
-    }
-
-    /** The part of rounding errors that a distance has which is the power over a sum. */
-    private record PartOfRounding(double[] along, double[] distance, double[] sum, double[] part) implements Kernel {
+    public record SphereErrors(double[] l1Norm, double[] along, double[] radius, double[] distance, double[] position,
+            double[] slide, double[] originError, double[] normalError) implements Kernel {
         @Override
         public void run(int from, int to) {
             for (int i = from; i < to; i++) {
-                sum[i] = Math.abs(distance[i] + along[i]) + Math.abs(along[i]);
-                part[i] = Math.min(1, distance[i] / sum[i]);
-            }
-        }
-    }
-
-    /** The distance's linear part, in place of the sum. */
-    private record OfDistance(double[] l1Norm, double[] distance, double[] part, double[] sum) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                sum[i] = U * (3 * (l1Norm[i] + sum[i]) * part[i] + distance[i]);
-            }
-        }
-    }
-
-    /** The errors under the root, in place of the reach. */
-    private record Squares(double[] l1Norm, double[] radius, double[] distance, double[] part) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                l1Norm[i] = 2 * radius[i]
-                        * (U * (3 * l1Norm[i] + radius[i]) * part[i] + DIAGONAL * EYE_DIRECTION * distance[i]);
-            }
-        }
-    }
-
-    /** Two errors are under the root together; apart, their roots add up to the root of 2 times that at most. */
-    private record AddRoots(double[] square, double[] along, double[] distance, double[] out) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                double half = Math.abs(distance[i] + along[i]);
-                out[i] += Math.min(square[i] / (2 * half), Math.sqrt(2 * square[i]));
-            }
-        }
-    }
-
-    /** {@link #point}, of many; and their normals' errors, which the points' cause on a sphere. */
-    public record SpherePoint(double[] distance, double[] position, double[] slide, double[] radius,
-            double[] originError, double[] normalError) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                double error = U * (13 * distance[i] + position[i]);
-                originError[i] = error;
-                normalError[i] = (error + slide[i]) / radius[i] + 4 * U;
+                double t = distance[i], half = Math.abs(t + along[i]), sum = half + Math.abs(along[i]);
+                double part = Math.min(1, t / sum);
+                double square = 2 * radius[i]
+                        * (U * (3 * l1Norm[i] + radius[i]) * part + DIAGONAL * EYE_DIRECTION * t);
+                slide[i] = U * (3 * (l1Norm[i] + sum) * part + t)
+                        + Math.min(square / (2 * half), Math.sqrt(2 * square));
+                originError[i] = point(t, position[i]);
+                normalError[i] = (originError[i] + slide[i]) / radius[i] + 4 * U;
             }
         }
     }

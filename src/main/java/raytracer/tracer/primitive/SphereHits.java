@@ -32,9 +32,9 @@ final class SphereHits implements Kernel {
                 Kernel.subtract(rays.origin, centre, rays.normal),
                 new Kernel.Length(rays.normal, spare),
                 new Kernel.DivideByLength(rays.normal, spare),
-                Rounding.sphereSlide(l1Norm, radius, along, rays.distance, spare, rays.slide),
                 new Kernel.L1Norm(rays.origin, spare),
-                new Rounding.SpherePoint(rays.distance, spare, rays.slide, radius, rays.originError, rays.normalError));
+                new Rounding.SphereErrors(l1Norm, along, radius, rays.distance, spare, rays.slide, rays.originError,
+                        rays.normalError));
     }
 
     @Override
