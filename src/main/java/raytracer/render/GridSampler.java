@@ -40,7 +40,7 @@ final class GridSampler implements Sampler {
             for (int x = 0; x < columns * n; x += side) {
                 int w = Math.min(side, columns * n - x), h = Math.min(side, rows * n - y);
                 enlarged.traceCentres(left * n + x, top * n + y, w, h, samples);
-                addSamples(left * n, top * n, columns);
+                addSamples(x, y, w, columns);
             }
         }
         divide(red);
@@ -49,12 +49,16 @@ final class GridSampler implements Sampler {
         sink.setPixels(left, top, columns, rows, red, green, blue);
     }
 
-    private void addSamples(int left, int top, int columns) {
-        for (int i = 0; i < samples.count; i++) {
-            int pixel = ((int) samples.y[i] - top) / n * columns + ((int) samples.x[i] - left) / n;
-            red[pixel] += cut(samples.red[i]);
-            green[pixel] += cut(samples.green[i]);
-            blue[pixel] += cut(samples.blue[i]);
+    /** Adds a rectangle of samples, of this width and from this column and row of the tile's on, to their pixels. */
+    private void addSamples(int x, int y, int w, int columns) {
+        for (int first = 0, row = y; first < samples.count; first += w, row++) {
+            int pixels = row / n * columns;
+            for (int column = 0; column < w; column++) {
+                int pixel = pixels + (x + column) / n;
+                red[pixel] += cut(samples.red[first + column]);
+                green[pixel] += cut(samples.green[first + column]);
+                blue[pixel] += cut(samples.blue[first + column]);
+            }
         }
     }
 

@@ -1,9 +1,9 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.Rays;
 
@@ -52,33 +52,23 @@ final class Pinhole {
         return height;
     }
 
-    /** What makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
-    Kernel aiming(Rays rays) {
-        return new Kernel.InTurn(
-                // Twice the position less the size is exact for pixels' centres in a picture of any size.
-                new Kernel.Linear(rays.nx, 2, -width),
-                new Kernel.Linear(rays.ny, -2, height),
-                new Component(rays.nx, rays.ny, right.x(), up.x(), backward.x(), rays.dx),
-                new Component(rays.nx, rays.ny, right.y(), up.y(), backward.y(), rays.dy),
-                new Component(rays.nx, rays.ny, right.z(), up.z(), backward.z(), rays.dz),
-                new Kernel.Length(rays.direction, rays.nz),
-                new Kernel.DivideByLength(rays.direction, rays.nz),
-                new Kernel.Fill(rays.directionError, Rounding.EYE_DIRECTION),
-                new Kernel.Fill(rays.ox, eye.x()),
-                new Kernel.Fill(rays.oy, eye.y()),
-                new Kernel.Fill(rays.oz, eye.z()),
-                new Kernel.Fill(rays.originError, 0),
-                new Kernel.Fill(rays.slide, 0));
-    }
-
-    /** Of directions. */
-    private record Component(double[] x, double[] y, double toRight, double toTop, double toEye, double[] out)
-            implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                out[i] = x[i] * toRight + y[i] * toTop - toEye;
-            }
+    /** Makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
+    void aim(Rays rays, int from, int to) {
+        double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
+        double bx = backward.x(), by = backward.y(), bz = backward.z();
+        for (int i = from; i < to; i++) {
+            // Twice the position less the size is exact for pixels' centres in a picture of any size.
+            double a = 2 * rays.nx[i] - width, b = height - 2 * rays.ny[i];
+            rays.dx[i] = a * rx + b * ux - bx;
+            rays.dy[i] = a * ry + b * uy - by;
+            rays.dz[i] = a * rz + b * uz - bz;
         }
+        rays.direction.normalise(rays.distance, from, to);
+        Arrays.fill(rays.directionError, from, to, Rounding.EYE_DIRECTION);
+        Arrays.fill(rays.ox, from, to, eye.x());
+        Arrays.fill(rays.oy, from, to, eye.y());
+        Arrays.fill(rays.oz, from, to, eye.z());
+        Arrays.fill(rays.originError, from, to, 0);
+        Arrays.fill(rays.slide, from, to, 0);
     }
 }

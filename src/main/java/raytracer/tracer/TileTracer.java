@@ -79,7 +79,7 @@ public final class TileTracer {
         ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
         groups = new ShadingGroups(table);
         this.pinhole = pinhole;
-        aiming = pinhole.aiming(rays);
+        aiming = (from, to) -> pinhole.aim(rays, from, to);
         find = new Kernel[surfaces.size()];
         move = new Kernel[surfaces.size()];
         for (int kind = 0; kind < find.length; kind++) {

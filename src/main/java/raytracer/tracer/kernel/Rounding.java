@@ -188,28 +188,13 @@ public final class Rounding {
     }
 
     /**
-     * By ray, bounds on the errors of where it has hit a sphere: along the ray {@link #sphereDistance}, but with both
-     * errors under one root, as their roots add up to the root of 2 times their sum at most; apart from that
-     * {@link #point}; and of the normal, what the point's error makes of it.
-     *
-     * @param l1Norm   |x| + |y| + |z| of origin - centre
-     * @param along    direction . (origin - centre)
-     * @param position |x| + |y| + |z| of the computed point
+     * Bounds how far off along its ray a point is where that has hit a sphere: {@link #sphereDistance} of a ray from the
+     * eye, with both errors under one root, as their roots add up to the root of 2 times their sum at most.
      */
-    public record SphereErrors(double[] l1Norm, double[] along, double[] radius, double[] distance, double[] position,
-            double[] slide, double[] originError, double[] normalError) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                double t = distance[i], half = Math.abs(t + along[i]), sum = half + Math.abs(along[i]);
-                double part = Math.min(1, t / sum);
-                double square = 2 * radius[i]
-                        * (U * (3 * l1Norm[i] + radius[i]) * part + DIAGONAL * EYE_DIRECTION * t);
-                slide[i] = U * (3 * (l1Norm[i] + sum) * part + t)
-                        + Math.min(square / (2 * half), Math.sqrt(2 * square));
-                originError[i] = point(t, position[i]);
-                normalError[i] = (originError[i] + slide[i]) / radius[i] + 4 * U;
-            }
-        }
+    public static double sphereSlide(double l1Norm, double radius, double along, double distance) {
+        double half = Math.abs(distance + along), sum = half + Math.abs(along), part = Math.min(1, distance / sum);
+        double square = 2 * radius * (U * (3 * l1Norm + radius) * part + DIAGONAL * EYE_DIRECTION * distance);
+        return U * (3 * (l1Norm + sum) * part + distance)
+                + (square < 8 * half * half ? square / (2 * half) : Math.sqrt(2 * square));
     }
 }

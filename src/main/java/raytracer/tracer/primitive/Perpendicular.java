@@ -6,7 +6,7 @@ import raytracer.tracer.kernel.Vectors;
 /**
  * The perpendicular from a sphere's centre c to rays: how far along a ray its origin is from the foot, by how much the
  * perpendicular's square is less than another, and where the ray hits the sphere. For rays from one point there are
- * kernels that do the same, to the last bit, with half of the arithmetic ({@link Kernel.DotWith}, {@link InsideOfOne}).
+ * kernels that do the same, to the last bit, with half of the arithmetic ({@link Vectors#dot}, {@link InsideOfOne}).
  */
 public final class Perpendicular {
 
@@ -31,7 +31,7 @@ public final class Perpendicular {
         public void run(int from, int to) {
             double[] ox = origin.x(), oy = origin.y(), oz = origin.z();
             double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
-            // Too large for C2 to vectorise, see Kernel; but three loops instead are hardly faster, and compiled later.
+            // Too large for C2 to vectorise, but three loops instead are hardly faster, and compiled later.
             for (int i = from; i < to; i++) {
                 double ex = ox[i] - cx - along[i] * dx[i];
                 double ey = oy[i] - cy - along[i] * dy[i];

@@ -151,7 +151,7 @@ public final class Spheres extends BoundedSurfaces {
     private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
         double x = rays.ox[from] - data.x(k), y = rays.oy[from] - data.y(k);
         double z = rays.oz[from] - data.z(k), r = data.radius(k);
-        Kernel.run(new Kernel.DotWith(x, y, z, rays.direction, workspace.along), from, to);
+        rays.direction.dot(x, y, z, workspace.along, from, to);
         Kernel.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
                 from, to);
     }
@@ -247,6 +247,30 @@ public final class Spheres extends BoundedSurfaces {
 
     @Override
     public Kernel moving(Rays rays, Workspace workspace) {
-        return new SphereHits(data, surface(0), rays, workspace);
+        return (from, to) -> {
+            for (int i = from; i < to; i++) {
+                moveToHit(rays, i, number(rays.hit[i]));
+            }
+            rays.normal.normalise(workspace.square, from, to);
+        };
+    }
+
+    private void moveToHit(Rays rays, int i, int k) {
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k), t = rays.distance[i];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
+        double slide = Rounding.sphereSlide(Math.abs(x) + Math.abs(y) + Math.abs(z), r, x * dx + y * dy + z * dz, t);
+        double px = rays.ox[i] + t * dx, py = rays.oy[i] + t * dy, pz = rays.oz[i] + t * dz;
+        double error = Rounding.point(t, Math.abs(px) + Math.abs(py) + Math.abs(pz));
+        rays.ox[i] = px;
+        rays.oy[i] = py;
+        rays.oz[i] = pz;
+        // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
+        rays.nx[i] = px - cx;
+        rays.ny[i] = py - cy;
+        rays.nz[i] = pz - cz;
+        rays.slide[i] = slide;
+        rays.originError[i] = error;
+        rays.normalError[i] = (error + slide) / r + 4 * Rounding.U;
     }
 }

@@ -188,9 +188,8 @@ public final class Triangles extends BoundedSurfaces {
     private static void sides(Vector a, Vector b, Vectors d, Vectors m, double[] out, int from, int to) {
         double ex = b.x() - a.x(), ey = b.y() - a.y(), ez = b.z() - a.z();
         double sx = a.x() + b.x(), sy = a.y() + b.y(), sz = a.z() + b.z();
-        // In one loop it would be too much for C2 to vectorise, see Kernel.
-        Kernel.run(new Kernel.DotWith(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, d, out), from, to);
-        Kernel.run(new Kernel.AddDotWith(-2 * ex, -2 * ey, -2 * ez, m, out), from, to);
+        d.dot(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, out, from, to);
+        m.addDot(-2 * ex, -2 * ey, -2 * ez, out, from, to);
     }
 
     /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */

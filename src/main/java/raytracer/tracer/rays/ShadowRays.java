@@ -2,7 +2,6 @@ package raytracer.tracer.rays;
 
 import java.util.Arrays;
 import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.kernel.Vectors;
 
 /**
@@ -28,35 +27,26 @@ public final class ShadowRays {
     public final double[] lambert = new double[Batch.CAPACITY];
     public final double[] highlight = new double[Batch.CAPACITY];
 
-    /** The light that the rays go to; and its position, as often as there are rays. */
+    /** The light that the rays go to. */
     public LightSource light;
-    private final Vectors lights = new Vectors();
 
-    private final Kernel aiming;
-    private final Kernel addErrors;
+    private final Rays rays;
 
     /** @param rays that will have arrived where these start */
     public ShadowRays(Rays rays) {
-        aiming = new Kernel.InTurn(
-                Kernel.subtract(lights, rays.origin, direction),
-                new Kernel.Length(direction, distance),
-                new Kernel.DivideByLength(direction, distance));
-        addErrors = new Kernel.Add(rays.originError, rays.slide, originError);
+        this.rays = rays;
     }
 
     /** Sets out from where rays, from one index to another, have arrived. */
     public void start(int from, int end) {
-        Kernel.run(addErrors, from, end);
+        for (int i = from; i < end; i++) {
+            originError[i] = rays.originError[i] + rays.slide[i];
+        }
     }
 
     /** Sets out to a light from where rays, from one index to another, have arrived. */
     public void aim(LightSource to, int from, int end) {
-        if (light != to) {
-            light = to;
-            Arrays.fill(lights.x(), to.x());
-            Arrays.fill(lights.y(), to.y());
-            Arrays.fill(lights.z(), to.z());
-        }
+        light = to;
         if (to.directional()) {
             Arrays.fill(dx, from, end, to.x());
             Arrays.fill(dy, from, end, to.y());
@@ -64,6 +54,12 @@ public final class ShadowRays {
             Arrays.fill(distance, from, end, Double.POSITIVE_INFINITY);
             return;
         }
-        Kernel.run(aiming, from, end);
+        double lx = to.x(), ly = to.y(), lz = to.z();
+        for (int i = from; i < end; i++) {
+            dx[i] = lx - rays.ox[i];
+            dy[i] = ly - rays.oy[i];
+            dz[i] = lz - rays.oz[i];
+        }
+        direction.normalise(distance, from, end);
     }
 }

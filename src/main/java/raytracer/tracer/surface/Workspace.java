@@ -15,15 +15,10 @@ public final class Workspace {
     public final int[] doubtful = new int[Batch.CAPACITY];
     public int doubtfulCount;
 
-    // By ray, of a sphere: direction . (origin - centre), r^2 less the perpendicular's square, the distance; what moving
-    // to the hit needs.
+    // By ray, of a sphere: direction . (origin - centre), r^2 less the perpendicular's square, the distance.
     public final double[] along = new double[Batch.CAPACITY];
     public final double[] square = new double[Batch.CAPACITY];
     public final double[] distance = new double[Batch.CAPACITY];
-    public final Vectors centre = new Vectors();
-    public final double[] radius = new double[Batch.CAPACITY];
-    public final double[] l1Norm = new double[Batch.CAPACITY];
-    public final double[] spare = new double[Batch.CAPACITY];
 
     // By ray, of a triangle: the sides of its edges, and the least product of two of them.
     public final Vectors sides = new Vectors();
