@@ -177,7 +177,11 @@ public final class Triangles extends BoundedSurfaces {
             sides(a, b, d, workspace.moment, sides[edge], from, to);
             a = b;
         }
-        Kernel.run(new MinProduct(sides[0], sides[1], sides[2], workspace.minProduct), from, to);
+        double[] ab = sides[0], bc = sides[1], ca = sides[2], product = workspace.minProduct;
+        for (int i = from; i < to; i++) {
+            // May overflow or be lost, and then is not less than what it is compared with.
+            product[i] = Math.min(ab[i] * bc[i], Math.min(bc[i] * ca[i], ca[i] * ab[i]));
+        }
         double edges = data.edges(k);
         double l1Norm = Math.abs(a.x()) + Math.abs(a.y()) + Math.abs(a.z()) + edges + workspace.farthest;
         double max = 4 * edges * l1Norm;
@@ -190,16 +194,6 @@ public final class Triangles extends BoundedSurfaces {
         double sx = a.x() + b.x(), sy = a.y() + b.y(), sz = a.z() + b.z();
         d.dot(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, out, from, to);
         m.addDot(-2 * ex, -2 * ey, -2 * ez, out, from, to);
-    }
-
-    /** out = min(a b, b c, c a); may overflow or be lost, and then is not less than what it is compared with. */
-    private record MinProduct(double[] a, double[] b, double[] c, double[] out) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            for (int i = from; i < to; i++) {
-                out[i] = Math.min(a[i] * b[i], Math.min(b[i] * c[i], c[i] * a[i]));
-            }
-        }
     }
 
     @Override

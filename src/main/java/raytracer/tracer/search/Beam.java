@@ -94,24 +94,21 @@ public final class Beam {
     }
 
     private static void span(double[] x, double[] y, double[] z, int from, int to, double[] min, double[] max) {
-        Kernel.run(new Span(x, min, max, 0), from, to);
-        Kernel.run(new Span(y, min, max, 1), from, to);
-        Kernel.run(new Span(z, min, max, 2), from, to);
+        span(x, from, to, min, max, 0);
+        span(y, from, to, min, max, 1);
+        span(z, from, to, min, max, 2);
     }
 
     /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray hits nothing. */
-    private record Span(double[] values, double[] min, double[] max, int axis) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
-            for (int i = from; i < to; i++) {
-                double v = values[i];
-                low = v < low ? v : low;
-                high = v > high ? v : high;
-            }
-            min[axis] = low;
-            max[axis] = high;
+    private static void span(double[] values, int from, int to, double[] min, double[] max, int axis) {
+        double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
+        for (int i = from; i < to; i++) {
+            double v = values[i];
+            low = v < low ? v : low;
+            high = v > high ? v : high;
         }
+        min[axis] = low;
+        max[axis] = high;
     }
 
     /**
