@@ -105,7 +105,10 @@ public final class Spheres extends BoundedSurfaces {
         // All rays start at the same point outside: what takes long to compute is the same for all.
         double l1Norm = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
         double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
-        Kernel.run(new Perpendicular.Distance(power, workspace.along, workspace.square, workspace.distance), from, to);
+        double[] along = workspace.along, square = workspace.square, t = workspace.distance;
+        for (int i = from; i < to; i++) {
+            t[i] = power / (Math.sqrt(Math.max(0, square[i])) - along[i]);
+        }
         Kernel.run(new PlainSphere.RecordHits(rays, doubt, surface(k), workspace), from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             intersect(rays, workspace.doubtful[n], k);
@@ -132,8 +135,7 @@ public final class Spheres extends BoundedSurfaces {
             Rays rays, ShadowRays shadows, int from, int to, int k, int lightSide, Workspace workspace) {
         double[] along = workspace.along;
         boolean[] unoccluded = shadows.unoccluded;
-        Kernel.run(new Perpendicular.Along(rays.origin, data.x(k), data.y(k), data.z(k),
-                shadows.direction, along), from, to);
+        findAlong(rays, shadows.direction, k, along, from, to);
         for (int i = from; i < to; i++) {
             if (along[i] < 0 && unoccluded[i]) {
                 unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
@@ -141,19 +143,42 @@ public final class Spheres extends BoundedSurfaces {
         }
     }
 
-    private void passBy(Rays rays, Vectors d, int from, int to, int k, Workspace workspace) {
-        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
-        Kernel.run(new Perpendicular.Along(rays.origin, cx, cy, cz, d, workspace.along), from, to);
-        Kernel.run(new Perpendicular.Inside(rays.origin, cx, cy, cz, r * r, d, workspace.along, workspace.square),
-                from, to);
+    /** direction . (origin - centre): how far along a ray its origin is from the perpendicular's foot. */
+    private void findAlong(Rays rays, Vectors direction, int k, double[] along, int from, int to) {
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k);
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz;
+        double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
+        for (int i = from; i < to; i++) {
+            along[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
+        }
     }
 
+    /** Finds that and r^2 less the perpendicular's square, in {@link Workspace}. */
+    private void passBy(Rays rays, Vectors direction, int from, int to, int k, Workspace workspace) {
+        findAlong(rays, direction, k, workspace.along, from, to);
+        double cx = data.x(k), cy = data.y(k), cz = data.z(k), max = data.radius(k) * data.radius(k);
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = workspace.along, square = workspace.square;
+        double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
+        for (int i = from; i < to; i++) {
+            double ex = ox[i] - cx - along[i] * dx[i];
+            double ey = oy[i] - cy - along[i] * dy[i];
+            double ez = oz[i] - cz - along[i] * dz[i];
+            square[i] = max - (ex * ex + ey * ey + ez * ez);
+        }
+    }
+
+    /** The same for rays from one point, to the last bit, with half of the arithmetic. */
     private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
-        double x = rays.ox[from] - data.x(k), y = rays.oy[from] - data.y(k);
-        double z = rays.oz[from] - data.z(k), r = data.radius(k);
-        rays.direction.dot(x, y, z, workspace.along, from, to);
-        Kernel.run(new Perpendicular.InsideOfOne(x, y, z, r * r, rays.direction, workspace.along, workspace.square),
-                from, to);
+        double x = rays.ox[from] - data.x(k), y = rays.oy[from] - data.y(k), z = rays.oz[from] - data.z(k);
+        double max = data.radius(k) * data.radius(k);
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, along = workspace.along, square = workspace.square;
+        rays.direction.dot(x, y, z, along, from, to);
+        for (int i = from; i < to; i++) {
+            double ex = x - along[i] * dx[i];
+            double ey = y - along[i] * dy[i];
+            double ez = z - along[i] * dz[i];
+            square[i] = max - (ex * ex + ey * ey + ez * ez);
+        }
     }
 
     @Override
