@@ -5,7 +5,7 @@ import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.LightSource;

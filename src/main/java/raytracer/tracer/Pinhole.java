@@ -4,7 +4,7 @@ import java.util.Arrays;
 import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
 
 /** The rays of a scene's camera. */
@@ -53,22 +53,23 @@ final class Pinhole {
     }
 
     /** Makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
-    void aim(Rays rays, int from, int to) {
+    void aim(Rays rays) {
+        int to = rays.count;
         double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
         double bx = backward.x(), by = backward.y(), bz = backward.z();
-        for (int i = from; i < to; i++) {
+        for (int i = 0; i < to; i++) {
             // Twice the position less the size is exact for pixels' centres in a picture of any size.
             double a = 2 * rays.nx[i] - width, b = height - 2 * rays.ny[i];
             rays.dx[i] = a * rx + b * ux - bx;
             rays.dy[i] = a * ry + b * uy - by;
             rays.dz[i] = a * rz + b * uz - bz;
         }
-        rays.direction.normalise(rays.distance, from, to);
-        Arrays.fill(rays.directionError, from, to, Rounding.EYE_DIRECTION);
-        Arrays.fill(rays.ox, from, to, eye.x());
-        Arrays.fill(rays.oy, from, to, eye.y());
-        Arrays.fill(rays.oz, from, to, eye.z());
-        Arrays.fill(rays.originError, from, to, 0);
-        Arrays.fill(rays.slide, from, to, 0);
+        rays.direction.normalise(rays.distance, 0, to);
+        Arrays.fill(rays.directionError, 0, to, Rounding.EYE_DIRECTION);
+        Arrays.fill(rays.ox, 0, to, eye.x());
+        Arrays.fill(rays.oy, 0, to, eye.y());
+        Arrays.fill(rays.oz, 0, to, eye.z());
+        Arrays.fill(rays.originError, 0, to, 0);
+        Arrays.fill(rays.slide, 0, to, 0);
     }
 }

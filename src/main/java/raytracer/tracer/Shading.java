@@ -4,13 +4,13 @@ import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Kernel;
+import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
+import raytracer.tracer.search.Search;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.surface.Surfaces;
 
@@ -29,9 +29,7 @@ final class Shading {
     private Material material;
     private LightSource light;
 
-    private final Kernel aim = this::aim;
-    private final Kernel addLight = this::addLight;
-    private final Kernel[] block;
+    private final Search[] anyHit;
 
     // By ray: the result.
     final double[] red = new double[Batch.CAPACITY];
@@ -43,9 +41,9 @@ final class Shading {
         this.lights = lights;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        block = new Kernel[surfaces.size()];
-        for (int kind = 0; kind < block.length; kind++) {
-            block[kind] = AnyHit.among(surfaces.get(kind), rays, shadows, space);
+        anyHit = new Search[surfaces.size()];
+        for (int kind = 0; kind < anyHit.length; kind++) {
+            anyHit[kind] = AnyHit.among(surfaces.get(kind), rays, shadows, space);
         }
     }
 
@@ -70,26 +68,22 @@ final class Shading {
         shadows.start(from, to);
         for (LightSource each : lights) {
             light = each;
-            Kernel.run(aim, from, to);
+            shadows.aim(light, from, to);
             int unoccluded = findReflectance(from, to);
             if (observer != null) {
                 observer.aimed(from, to, shadows);
             }
             if (unoccluded > 0) {
                 shadowCount += unoccluded;
-                for (Kernel kind : block) {
-                    Kernel.run(kind, from, to);
+                for (Search kind : anyHit) {
+                    kind.run(from, to);
                 }
-                Kernel.run(addLight, from, to);
+                addLight(from, to);
             }
             if (observer != null) {
                 observer.lit(from, to, shadows, material);
             }
         }
-    }
-
-    private void aim(int from, int to) {
-        shadows.aim(light, from, to);
     }
 
     /**

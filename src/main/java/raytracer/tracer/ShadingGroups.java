@@ -1,6 +1,6 @@
 package raytracer.tracer;
 
-import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.SurfaceTable;
 

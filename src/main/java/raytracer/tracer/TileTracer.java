@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Kernel;
+import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.search.ClosestHit;
+import raytracer.tracer.search.Search;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
 import raytracer.tracer.settled.SettledCells;
@@ -43,18 +43,10 @@ public final class TileTracer {
     private final SearchWorkspace space = new SearchWorkspace();
     private final Rays rays;
     private final Ties ties;
-    private final Kernel aiming;
-    private final Kernel[] find;
-    private final Kernel[] move;
+    private final Search[] closestHit;
     private final ShadingGroups groups;
     private final Shading shading;
     private final int[] kept = new int[Batch.CAPACITY];
-
-    private final Kernel starting = this::start;
-
-    /** In turn from one place, which runs any of them, so that HotSpot compiles each alone. */
-    private final Runnable[] steps = {
-        this::findClosestHits, this::arrange, this::moveToHits, this::shade, this::addToSamples, this::reflect};
 
     /** How many surfaces the paths of this round's rays have hit with the one that they hit now. */
     private int depth;
@@ -79,12 +71,9 @@ public final class TileTracer {
         ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
         groups = new ShadingGroups(table);
         this.pinhole = pinhole;
-        aiming = (from, to) -> pinhole.aim(rays, from, to);
-        find = new Kernel[surfaces.size()];
-        move = new Kernel[surfaces.size()];
-        for (int kind = 0; kind < find.length; kind++) {
-            move[kind] = surfaces.get(kind).moving(rays, space.surfaces());
-            find[kind] = ClosestHit.among(surfaces.get(kind), rays, space);
+        closestHit = new Search[surfaces.size()];
+        for (int kind = 0; kind < closestHit.length; kind++) {
+            closestHit[kind] = ClosestHit.among(surfaces.get(kind), rays, space);
         }
         shading = new Shading(surfaces, lights, rays, space);
         cells = new SettledCells(surfaces, rays, space);
@@ -141,13 +130,16 @@ public final class TileTracer {
     }
 
     private void trace(int from, int to) {
-        Kernel.run(starting, from, to);
+        start(from, to);
         depth = 1;
         while (rays.count > 0) {
             traced.addAndGet(rays.count);
-            for (Runnable step : steps) {
-                step.run();
-            }
+            findClosestHits();
+            arrange();
+            moveToHits();
+            shade();
+            addToSamples();
+            reflect();
         }
     }
 
@@ -155,11 +147,10 @@ public final class TileTracer {
         Arrays.fill(samples.red, from, to, 0);
         Arrays.fill(samples.green, from, to, 0);
         Arrays.fill(samples.blue, from, to, 0);
-        rays.start(aiming, samples, from, to - from);
+        rays.start(samples, from, to - from);
+        pinhole.aim(rays);
         primaryCount += to - from;
     }
-
-    // Loops over rays are kept out of the methods that call one another: C2 would compile all into one, for a second.
 
     /** What this has traced since it was made. */
     public RayCounts counts() {
@@ -169,8 +160,8 @@ public final class TileTracer {
     /** Finds every ray's nearest surface. */
     private void findClosestHits() {
         rays.clearHits();
-        for (Kernel kind : find) {
-            Kernel.run(kind, 0, rays.count);
+        for (Search kind : closestHit) {
+            kind.run(0, rays.count);
         }
         ties.settle();
         if (observer != null) {
@@ -186,20 +177,20 @@ public final class TileTracer {
     /** Takes every ray there, and notes what it has hit. */
     private void moveToHits() {
         for (int group = 0; group < groups.count(); group++) {
-            int kind = kindOf(rays.hit[groups.start(group)]);
-            Kernel.run(move[kind], groups.start(group), groups.end(group));
+            Surfaces kind = kindOf(rays.hit[groups.start(group)]);
+            kind.moveToHits(rays, groups.start(group), groups.end(group), space.surfaces());
         }
         if (observer != null) {
             observer.moved();
         }
     }
 
-    private int kindOf(int surface) {
+    private Surfaces kindOf(int surface) {
         int kind = 0;
         while (!surfaces.get(kind).owns(surface)) {
             kind++;
         }
-        return kind;
+        return surfaces.get(kind);
     }
 
     private void shade() {

@@ -4,10 +4,10 @@ import java.util.concurrent.ForkJoinPool;
 import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
+import raytracer.tracer.surface.BoundedSurfaces;
 
 /**
  * The tracer's own kernels for benchmarks: each of many rays against one sphere or triangle of its own, without a tree

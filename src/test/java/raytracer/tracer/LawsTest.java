@@ -26,10 +26,10 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.TreeSpace;
 import raytracer.tracer.primitive.Spheres;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.surface.Surfaces;
 
 /** Laws that hold for every scene, whatever its picture is. */
 @DisplayName("A picture")

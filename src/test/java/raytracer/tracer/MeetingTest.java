@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import raytracer.scene.Colour;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.Ties;

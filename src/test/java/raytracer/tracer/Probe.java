@@ -6,9 +6,7 @@ import raytracer.parser.Scenes;
 import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.surface.SurfaceTable;
-import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -16,6 +14,8 @@ import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
+import raytracer.tracer.surface.SurfaceTable;
+import raytracer.tracer.surface.Surfaces;
 
 /** Shoots single rays at the shapes of a scene that a test writes down. */
 public final class Probe {
@@ -108,7 +108,8 @@ public final class Probe {
         if (slot == Rays.NONE) {
             return null;
         }
-        surfaces.stream().filter(kind -> kind.owns(slot)).forEach(kind -> kind.moving(rays, space.surfaces()).run(0, 1));
+        surfaces.stream().filter(kind -> kind.owns(slot))
+                .forEach(kind -> kind.moveToHits(rays, 0, 1, space.surfaces()));
         return new Meeting(slots.declared()[slot], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 
 /** Colours computed by hand. The pixel looks from (0, 0, 5) at the origin. */
 @DisplayName("The colour of a hit")

@@ -21,12 +21,12 @@ import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
-import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Samples;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
-import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.Samples;
 
 @DisplayName("Of surfaces that rounding cannot tell apart")
 class TiesTest {

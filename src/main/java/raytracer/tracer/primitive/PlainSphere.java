@@ -1,7 +1,6 @@
 package raytracer.tracer.primitive;
 
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Workspace;
@@ -33,28 +32,25 @@ public final class PlainSphere {
      *
      * @param doubt whether a ray hits is certain unless the square of half the chord is nearer to 0 than this
      */
-    record RecordHits(Rays rays, double doubt, int surface, Workspace workspace) implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
-            int[] hit = rays.hit, doubtful = workspace.doubtful;
-            int count = 0;
-            for (int i = from; i < to; i++) {
-                if (square[i] >= doubt) {
-                    if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
-                        if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
-                            hit[i] = surface;
-                            distance[i] = t[i];
-                        } else {
-                            doubtful[count++] = i;
-                        }
+    static void record(Rays rays, double doubt, int surface, Workspace workspace, int from, int to) {
+        double[] distance = rays.distance, along = workspace.along, square = workspace.square, t = workspace.distance;
+        int[] hit = rays.hit, doubtful = workspace.doubtful;
+        int count = 0;
+        for (int i = from; i < to; i++) {
+            if (square[i] >= doubt) {
+                if (along[i] < 0 && t[i] <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
+                    if (t[i] < distance[i] * (1 - Rounding.TIE_SIEVE)) {
+                        hit[i] = surface;
+                        distance[i] = t[i];
+                    } else {
+                        doubtful[count++] = i;
                     }
-                } else if (square[i] >= -doubt) {
-                    doubtful[count++] = i;
                 }
+            } else if (square[i] >= -doubt) {
+                doubtful[count++] = i;
             }
-            workspace.doubtfulCount = count;
         }
+        workspace.doubtfulCount = count;
     }
 
     /**
@@ -63,35 +59,32 @@ public final class PlainSphere {
      * @param radius   of the sphere
      * @param lightSide 1 if the light is outside of it, -1 inside, 0 on it
      */
-    record Occlude(Rays rays, ShadowRays shadows, double radius, int surface, int lightSide, Workspace workspace)
-            implements Kernel {
-        @Override
-        public void run(int from, int to) {
-            double[] square = workspace.square, along = workspace.along, distance = shadows.distance;
-            double[] error = shadows.originError;
-            boolean[] unoccluded = shadows.unoccluded;
-            int[] hit = rays.hit, doubtful = workspace.doubtful;
-            int count = 0;
-            for (int i = from; i < to; i++) {
-                if (unoccluded[i] && !isClear(square[i], radius, error[i])) {
-                    boolean behind = along[i] >= 0;
-                    boolean plain = hit[i] == surface ? behind : lightSide > 0
-                            && isPlain(along[i], square[i], radius, error[i]);
-                    if (!plain) {
-                        doubtful[count++] = i;
-                    } else if (!behind && -along[i] < distance[i]) {
-                        unoccluded[i] = false;
-                    }
+    static void occlude(Rays rays, ShadowRays shadows, double radius, int surface, boolean isLightOutside,
+            Workspace workspace, int from, int to) {
+        double[] square = workspace.square, along = workspace.along, distance = shadows.distance;
+        double[] error = shadows.originError;
+        boolean[] unoccluded = shadows.unoccluded;
+        int[] hit = rays.hit, doubtful = workspace.doubtful;
+        int count = 0;
+        for (int i = from; i < to; i++) {
+            if (unoccluded[i] && !isClear(square[i], radius, error[i])) {
+                boolean behind = along[i] >= 0;
+                boolean plain = hit[i] == surface ? behind : isLightOutside
+                        && isPlain(along[i], square[i], radius, error[i]);
+                if (!plain) {
+                    doubtful[count++] = i;
+                } else if (!behind && -along[i] < distance[i]) {
+                    unoccluded[i] = false;
                 }
             }
-            workspace.doubtfulCount = count;
         }
+        workspace.doubtfulCount = count;
+    }
 
-        /** Whether a ray clearly starts outside a sphere, and hits it clearly or has it behind. */
-        private static boolean isPlain(double along, double square, double r, double error) {
-            double power = along * along - square;
-            return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)
-                    && (along >= 0 || square > 2 * r * Rounding.passing(along, error) + 18 * Rounding.U * r * r);
-        }
+    /** Whether a ray clearly starts outside a sphere, and hits it clearly or has it behind. */
+    private static boolean isPlain(double along, double square, double r, double error) {
+        double power = along * along - square;
+        return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)
+                && (along >= 0 || square > 2 * r * Rounding.passing(along, error) + 18 * Rounding.U * r * r);
     }
 }

@@ -3,12 +3,11 @@ package raytracer.tracer.primitive;
 import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
+import raytracer.tracer.arithmetic.PowerOfPoint;
+import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.PowerOfPoint;
-import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -109,7 +108,7 @@ public final class Spheres extends BoundedSurfaces {
         for (int i = from; i < to; i++) {
             t[i] = power / (Math.sqrt(Math.max(0, square[i])) - along[i]);
         }
-        Kernel.run(new PlainSphere.RecordHits(rays, doubt, surface(k), workspace), from, to);
+        PlainSphere.record(rays, doubt, surface(k), workspace, from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             intersect(rays, workspace.doubtful[n], k);
         }
@@ -123,7 +122,7 @@ public final class Spheres extends BoundedSurfaces {
             return;
         }
         passBy(rays, shadows.direction, from, to, k, workspace);
-        Kernel.run(new PlainSphere.Occlude(rays, shadows, data.radius(k), surface(k), lightSide, workspace), from, to);
+        PlainSphere.occlude(rays, shadows, data.radius(k), surface(k), lightSide > 0, workspace, from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             int i = workspace.doubtful[n];
             shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
@@ -271,13 +270,11 @@ public final class Spheres extends BoundedSurfaces {
     }
 
     @Override
-    public Kernel moving(Rays rays, Workspace workspace) {
-        return (from, to) -> {
-            for (int i = from; i < to; i++) {
-                moveToHit(rays, i, number(rays.hit[i]));
-            }
-            rays.normal.normalise(workspace.square, from, to);
-        };
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
+        for (int i = from; i < to; i++) {
+            moveToHit(rays, i, number(rays.hit[i]));
+        }
+        rays.normal.normalise(workspace.square, from, to);
     }
 
     private void moveToHit(Rays rays, int i, int k) {

@@ -2,10 +2,10 @@ package raytracer.tracer.primitive;
 
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
+import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.Rays;
 
 /**

@@ -3,12 +3,11 @@ package raytracer.tracer.primitive;
 import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
+import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.ParallelRange;
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -235,12 +234,10 @@ public final class Triangles extends BoundedSurfaces {
     }
 
     @Override
-    public Kernel moving(Rays rays, Workspace workspace) {
-        return (from, to) -> {
-            for (int i = from; i < to; i++) {
-                moveToHit(rays, i, number(rays.hit[i]));
-            }
-        };
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
+        for (int i = from; i < to; i++) {
+            moveToHit(rays, i, number(rays.hit[i]));
+        }
     }
 
     private void moveToHit(Rays rays, int i, int k) {

@@ -3,7 +3,7 @@ package raytracer.tracer.rays;
 import raytracer.scene.Colour;
 import raytracer.scene.Light;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 
 /**
  * A light as the tracer wants it.

@@ -1,7 +1,7 @@
 package raytracer.tracer.rays;
 
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.arithmetic.Vectors;
 
 /**
  * All rays through a part of the picture, or from a part of a surface to a light: four of them are its corners, and a

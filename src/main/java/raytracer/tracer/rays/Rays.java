@@ -2,10 +2,9 @@ package raytracer.tracer.rays;
 
 import java.util.Arrays;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Rounding;
-import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.arithmetic.Vectors;
 
 /**
  * A tile's rays, one array per quantity, and what they have hit. The rays in use are the first {@link #count}; each
@@ -59,7 +58,7 @@ public final class Rays {
     public final double[] green = new double[Batch.CAPACITY];
     public final double[] blue = new double[Batch.CAPACITY];
 
-    // The same, as kernels want them.
+    // The same arrays as vectors.
     public final Vectors origin = new Vectors(ox, oy, oz);
     public final Vectors direction = new Vectors(dx, dy, dz);
     public final Vectors normal = new Vectors(nx, ny, nz);
@@ -77,16 +76,14 @@ public final class Rays {
     }
 
     /**
-     * Starts at the eye, through some of these points: a ray's pixel is the number of its sample.
-     *
-     * @param aiming that makes rays leave the eye through points in place of their normals
+     * Starts at the eye. A ray's pixel is the number of its sample, whose point is in place of the normal's x and y until
+     * the ray is aimed.
      */
-    public void start(Kernel aiming, Samples samples, int from, int number) {
+    public void start(Samples samples, int from, int number) {
         count = number;
         leaveEye = true;
         System.arraycopy(samples.x, from, nx, 0, count);
         System.arraycopy(samples.y, from, ny, 0, count);
-        Kernel.run(aiming, 0, count);
         Arrays.fill(source, 0, count, NONE);
         for (int i = 0; i < count; i++) {
             pixel[i] = from + i;

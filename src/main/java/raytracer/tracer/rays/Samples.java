@@ -1,7 +1,7 @@
 package raytracer.tracer.rays;
 
 import java.util.Arrays;
-import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.arithmetic.Batch;
 
 /**
  * Points of the picture and the colours that their rays come to, one array per quantity. The first {@link #count} are

@@ -1,8 +1,8 @@
 package raytracer.tracer.rays;
 
 import java.util.Arrays;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Vectors;
 
 /**
  * From each point that a tile's rays have reached, the way to one light. Ray i here starts where ray i of {@link Rays}

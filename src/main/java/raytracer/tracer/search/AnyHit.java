@@ -1,7 +1,6 @@
 package raytracer.tracer.search;
 
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.BoundedSurfaces;
@@ -13,7 +12,7 @@ import raytracer.tracer.surface.UnboundedSurfaces;
  * Occludes the shadow rays that surfaces of one kind block. Before it walks the tree, a ray tries the surface that last
  * blocked another: neighbours are mostly in the same shadow (a shadow cache).
  */
-public final class AnyHit extends Search {
+public final class AnyHit extends TreeSearch {
 
     private final ShadowRays shadows;
 
@@ -21,10 +20,10 @@ public final class AnyHit extends Search {
     private int lastBlocker = -1;
 
     /** What occludes every shadow ray that a surface of one kind blocks between its ends. */
-    public static Kernel among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+    public static Search among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new AnyHit(bounded, rays, shadows, space)
-                : ((UnboundedSurfaces) kind).blocking(rays, shadows);
+                : (from, to) -> ((UnboundedSurfaces) kind).block(rays, shadows, from, to);
     }
 
     private AnyHit(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {

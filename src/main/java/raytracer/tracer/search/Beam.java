@@ -1,9 +1,8 @@
 package raytracer.tracer.search;
 
 import java.util.Arrays;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;

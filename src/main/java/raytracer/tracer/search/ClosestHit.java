@@ -1,6 +1,5 @@
 package raytracer.tracer.search;
 
-import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
@@ -8,12 +7,12 @@ import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.UnboundedSurfaces;
 
 /** Records the closest hit of each of a batch's rays with surfaces of one kind. */
-public final class ClosestHit extends Search {
+public final class ClosestHit extends TreeSearch {
 
-    public static Kernel among(Surfaces kind, Rays rays, SearchWorkspace space) {
+    public static Search among(Surfaces kind, Rays rays, SearchWorkspace space) {
         return kind instanceof BoundedSurfaces bounded
                 ? new ClosestHit(bounded, rays, space)
-                : ((UnboundedSurfaces) kind).intersecting(rays);
+                : (from, to) -> ((UnboundedSurfaces) kind).intersect(rays, from, to);
     }
 
     private ClosestHit(BoundedSurfaces surfaces, Rays rays, SearchWorkspace space) {

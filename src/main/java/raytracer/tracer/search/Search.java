@@ -1,117 +1,19 @@
 package raytracer.tracer.search;
 
-import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.bvh.BvhWalk;
-import raytracer.tracer.kernel.Kernel;
-import raytracer.tracer.kernel.Vectors;
-import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.BoundedSurfaces;
-import raytracer.tracer.surface.SieveLine;
+/** Finds what a batch's rays hit of one kind of surfaces. */
+@FunctionalInterface
+public interface Search {
 
-/**
- * Searches surfaces of one kind for what a batch of rays hits. If the rays' {@link Beam} finds few surfaces, all rays try
- * those; else each ray walks the tree, from the deepest node that holds all that the beam may hit. For one thread.
- */
-abstract class Search implements Kernel {
+    /** Searches for the rays from one index up to before another. */
+    void find(int from, int to);
 
-    final BoundedSurfaces surfaces;
-    final Bvh bvh;
-    final Rays rays;
-    final SearchWorkspace space;
-
-    private final Vectors direction;
-
-    private final Kernel tryOversized = this::tryOversized;
-    private final Kernel tryGathered = this::tryGathered;
-    private final Kernel walk = this::walk;
-
-    /** @param direction in which to search, from where rays start */
-    Search(BoundedSurfaces surfaces, Rays rays, Vectors direction, SearchWorkspace space) {
-        this.surfaces = surfaces;
-        this.rays = rays;
-        this.direction = direction;
-        this.space = space;
-        bvh = surfaces.bvh();
+    /** The same in a way that HotSpot cannot inline, so that it compiles each kind of search once. */
+    default void run(int from, int to) {
+        unknown(this, 2).find(from, to);
     }
 
-    abstract void encloseInBeam(int from, int to);
-
-    /** Computes what {@link #tryAll} needs to know of rays. */
-    abstract void prepare(int from, int to);
-
-    /** Tries one surface with all rays. */
-    abstract void tryAll(int from, int to, int k);
-
-    /** Whether nothing has to be searched for a ray, after a likely surface has been tried. */
-    abstract boolean isDone(int ray);
-
-    /** What is farther away along a ray does not matter. */
-    abstract double maxDistance(int ray);
-
-    /** Tries one surface with one ray; returns whether the ray's search is over. */
-    abstract boolean tryOne(int ray, int k);
-
-    /** Sets the line of a ray whose point has been set. */
-    abstract void setDirection(SieveLine line, int ray);
-
-    @Override
-    public void run(int from, int to) {
-        if (bvh.oversized() > 0) {
-            Kernel.run(tryOversized, from, to);
-        }
-        encloseInBeam(from, to);
-        if (!space.beam().gather(bvh)) {
-            Kernel.run(walk, from, to);
-        } else if (space.beam().count() > 0) {
-            Kernel.run(tryGathered, from, to);
-        }
-    }
-
-    private void tryOversized(int from, int to) {
-        prepare(from, to);
-        for (int k = 0; k < bvh.oversized(); k++) {
-            tryAll(from, to, k);
-        }
-    }
-
-    private void tryGathered(int from, int to) {
-        prepare(from, to);
-        for (int n = 0; n < space.beam().count(); n++) {
-            tryAll(from, to, space.beam().primitive(n));
-        }
-    }
-
-    // One ray's walk is a method of its own: HotSpot compiles it by its number of calls, long before the loop over rays.
-
-    private void walk(int from, int to) {
-        for (int i = from; i < to; i++) {
-            if (!isDone(i)) {
-                walk(i);
-            }
-        }
-    }
-
-    private void walk(int i) {
-        BvhWalk walk = space.surfaces().walk;
-        if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], direction.x()[i], direction.y()[i], direction.z()[i])) {
-            walk.enter(space.beam().entry());
-            if (surfaces.hasSieve()) {
-                SieveLine line = space.surfaces().line;
-                line.setPoint(walk.x(), walk.y(), walk.z(), walk.start());
-                setDirection(line, i);
-            }
-            tryLeaves(i, walk);
-        }
-    }
-
-    private void tryLeaves(int ray, BvhWalk walk) {
-        while (walk.nextLeaf(maxDistance(ray))) {
-            int bits = surfaces.mayHit(walk.first(), walk.end(), space.surfaces());
-            for (; bits != 0; bits &= bits - 1) {
-                if (tryOne(ray, walk.first() + Integer.numberOfTrailingZeros(bits))) {
-                    return;
-                }
-            }
-        }
+    /** HotSpot inlines recursion one level deep (-XX:MaxRecursiveInlineLevel), so two hide the receiver's type. */
+    private static Search unknown(Search search, int deeper) {
+        return deeper > 0 ? unknown(search, deeper - 1) : search;
     }
 }

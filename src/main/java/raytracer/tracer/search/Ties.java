@@ -2,7 +2,7 @@ package raytracer.tracer.search;
 
 import java.util.Arrays;
 import java.util.List;
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.Surfaces;

@@ -1,7 +1,7 @@
 package raytracer.tracer.settled;
 
 import java.util.Arrays;
-import raytracer.tracer.kernel.Batch;
+import raytracer.tracer.arithmetic.Batch;
 
 /** Corners of pixels in columns and rows, and the cells between them, each a pixel. */
 final class CornerGrid {

@@ -3,8 +3,8 @@ package raytracer.tracer.settled;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Vector;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Vectors;
+import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Vectors;
 
 /**
  * Tells where a highlight is so smooth in a cell that the mean of the cell's corners will do. It is (n . h)^s; with c

@@ -1,6 +1,6 @@
 package raytracer.tracer.surface;
 
-import raytracer.tracer.kernel.Rounding;
+import raytracer.tracer.arithmetic.Rounding;
 
 /**
  * A ray's line as a sieve in floats wants it: its direction and moment, origin x direction, in the space of the tree.

@@ -1,6 +1,5 @@
 package raytracer.tracer.surface;
 
-import raytracer.tracer.kernel.Kernel;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.Rays;
 
@@ -17,8 +16,8 @@ public interface Surfaces {
     boolean owns(int surface);
 
     /**
-     * What moves rays, from one index to another, that have hit these to where they hit them: their origins become
-     * those points, with bounds on their errors, and the normals are set.
+     * Moves rays, from one index to another, that have hit these to where they hit them: their origins become those
+     * points, with bounds on their errors, and the normals are set.
      */
-    Kernel moving(Rays rays, Workspace workspace);
+    void moveToHits(Rays rays, int from, int to, Workspace workspace);
 }

@@ -1,8 +1,8 @@
 package raytracer.tracer.surface;
 
+import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.BvhWalk;
-import raytracer.tracer.kernel.Batch;
-import raytracer.tracer.kernel.Vectors;
 import raytracer.tracer.rays.Rays;
 
 /** What one thread needs to intersect its {@link Rays} with surfaces: a walk, and by ray numbers in between. */
@@ -11,7 +11,7 @@ public final class Workspace {
     public final BvhWalk walk = new BvhWalk();
     public final SieveLine line = new SieveLine();
 
-    /** Rays that a kernel over all of them could not decide. */
+    /** Rays that plain doubles could not decide. */
     public final int[] doubtful = new int[Batch.CAPACITY];
     public int doubtfulCount;
 

@@ -12,10 +12,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.BvhWalk;
-import raytracer.tracer.kernel.Rounding;
 import raytracer.tracer.surface.SieveLine;
 
 @DisplayName("The sieve of triangles")

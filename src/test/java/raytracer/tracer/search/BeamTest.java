@@ -11,8 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.scene.Colour;
 import raytracer.scene.Vector;
-import raytracer.tracer.bvh.BvhTest;
 import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.BvhTest;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 

@@ -1,11 +1,11 @@
-package raytracer.tracer.kernel;
+package raytracer.tracer.arithmetic;
 
 import raytracer.scene.Vector;
 
 /**
- * As many vectors as a batch has rays, and arithmetic on them from one index up to before another. Each loop is so small
- * that HotSpot's C2 makes vector instructions of it: it unrolls a loop to 60 of its nodes at most (-XX:LoopUnrollLimit),
- * and packs only what it has unrolled.
+ * As many vectors as a batch has rays, and arithmetic on them, from one index up to before another. The loops are so small
+ * that HotSpot's C2 makes vector instructions of them: it packs what it has unrolled, and unrolls a loop to 60 of its nodes
+ * at most (-XX:LoopUnrollLimit).
  */
 public record Vectors(double[] x, double[] y, double[] z) {
 

@@ -1,4 +1,4 @@
-package raytracer.tracer.kernel;
+package raytracer.tracer.arithmetic;
 
 /**
  * The power of a point with respect to a sphere, |p - c|^2 - r^2: positive outside, negative inside, zero on it. Near a

@@ -1,4 +1,4 @@
-package raytracer.tracer.kernel;
+package raytracer.tracer.arithmetic;
 
 /**
  * Bounds on the rounding errors of the tracer's arithmetic. They take the place of epsilons: each grows with the
