@@ -5,7 +5,6 @@ import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.PowerOfPoint;
 import raytracer.tracer.arithmetic.Rounding;
-import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.LightSource;
@@ -25,11 +24,13 @@ public final class Spheres extends BoundedSurfaces {
     public static final int LEAF_SIZE = 1;
 
     private final SphereArray data;
+    private final PlainSphere plain;
 
     /** @param spheres in the order of the tree's leaves */
     public Spheres(List<Shape.Sphere> spheres, int firstSurface, Bvh bvh) {
         super("spheres", firstSurface, bvh);
         data = SphereArray.of(spheres);
+        plain = new PlainSphere(data, firstSurface);
     }
 
     public static Bounds bounds(List<Shape.Sphere> spheres) {
@@ -85,30 +86,13 @@ public final class Spheres extends BoundedSurfaces {
 
     @Override
     public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
-        if (rays.leaveEye) {
-            passByFromEye(rays, from, to, k, workspace);
+        double power = rays.leaveEye ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from],
+                data.x(k), data.y(k), data.z(k), data.radius(k)) : 0;
+        if (power > 0) {
+            plain.intersectFromEye(rays, k, power, workspace, from, to);
         } else {
-            passBy(rays, rays.direction, from, to, k, workspace);
+            plain.intersect(rays, k, workspace, from, to);
         }
-        double x = rays.ox[from], y = rays.oy[from], z = rays.oz[from];
-        double cx = data.x(k), cy = data.y(k), cz = data.z(k), r = data.radius(k);
-        double power = rays.leaveEye ? PowerOfPoint.of(x, y, z, cx, cy, cz, r) : 0;
-        if (!(power > 0)) {
-            for (int i = from; i < to; i++) {
-                if (!PlainSphere.isClear(workspace.square[i], r, rays.originError[i])) {
-                    intersect(rays, i, k);
-                }
-            }
-            return;
-        }
-        // All rays start at the same point outside: what takes long to compute is the same for all.
-        double l1Norm = Math.abs(x - cx) + Math.abs(y - cy) + Math.abs(z - cz);
-        double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
-        double[] along = workspace.along, square = workspace.square, t = workspace.distance;
-        for (int i = from; i < to; i++) {
-            t[i] = power / (Math.sqrt(Math.max(0, square[i])) - along[i]);
-        }
-        PlainSphere.record(rays, doubt, surface(k), workspace, from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             intersect(rays, workspace.doubtful[n], k);
         }
@@ -118,65 +102,13 @@ public final class Spheres extends BoundedSurfaces {
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
         int lightSide = sideOfLight(shadows.light, k);
         if (rays.hit[from] == surface(k) && rays.haveHitTheSame(from, to)) {
-            blockInwards(rays, shadows, from, to, k, lightSide, workspace);
-            return;
+            plain.listInwards(rays, shadows, k, workspace, from, to);
+        } else {
+            plain.occlude(rays, shadows, k, lightSide > 0, workspace, from, to);
         }
-        passBy(rays, shadows.direction, from, to, k, workspace);
-        PlainSphere.occlude(rays, shadows, data.radius(k), surface(k), lightSide > 0, workspace, from, to);
         for (int n = 0; n < workspace.doubtfulCount; n++) {
             int i = workspace.doubtful[n];
             shadows.unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
-        }
-    }
-
-    /** Occludes the rays that go into the sphere on which all start: the others leave it for good. */
-    private void blockInwards(
-            Rays rays, ShadowRays shadows, int from, int to, int k, int lightSide, Workspace workspace) {
-        double[] along = workspace.along;
-        boolean[] unoccluded = shadows.unoccluded;
-        findAlong(rays, shadows.direction, k, along, from, to);
-        for (int i = from; i < to; i++) {
-            if (along[i] < 0 && unoccluded[i]) {
-                unoccluded[i] = !blocks(rays, shadows, i, k, lightSide);
-            }
-        }
-    }
-
-    /** direction . (origin - centre): how far along a ray its origin is from the perpendicular's foot. */
-    private void findAlong(Rays rays, Vectors direction, int k, double[] along, int from, int to) {
-        double cx = data.x(k), cy = data.y(k), cz = data.z(k);
-        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz;
-        double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
-        for (int i = from; i < to; i++) {
-            along[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
-        }
-    }
-
-    /** Finds that and r^2 less the perpendicular's square, in {@link Workspace}. */
-    private void passBy(Rays rays, Vectors direction, int from, int to, int k, Workspace workspace) {
-        findAlong(rays, direction, k, workspace.along, from, to);
-        double cx = data.x(k), cy = data.y(k), cz = data.z(k), max = data.radius(k) * data.radius(k);
-        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, along = workspace.along, square = workspace.square;
-        double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
-        for (int i = from; i < to; i++) {
-            double ex = ox[i] - cx - along[i] * dx[i];
-            double ey = oy[i] - cy - along[i] * dy[i];
-            double ez = oz[i] - cz - along[i] * dz[i];
-            square[i] = max - (ex * ex + ey * ey + ez * ez);
-        }
-    }
-
-    /** The same for rays from one point, to the last bit, with half of the arithmetic. */
-    private void passByFromEye(Rays rays, int from, int to, int k, Workspace workspace) {
-        double x = rays.ox[from] - data.x(k), y = rays.oy[from] - data.y(k), z = rays.oz[from] - data.z(k);
-        double max = data.radius(k) * data.radius(k);
-        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, along = workspace.along, square = workspace.square;
-        rays.direction.dot(x, y, z, along, from, to);
-        for (int i = from; i < to; i++) {
-            double ex = x - along[i] * dx[i];
-            double ey = y - along[i] * dy[i];
-            double ez = z - along[i] * dz[i];
-            square[i] = max - (ex * ex + ey * ey + ez * ez);
         }
     }
 
