@@ -1,6 +1,7 @@
 package raytracer.tracer;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,86 +23,49 @@ final class SurfaceCompiler {
 
     private final Mesh mesh;
     private final ForkJoinPool pool;
+    private final List<Shape.Plane> planes = new ArrayList<>();
+    private final List<Shape.Sphere> spheres = new ArrayList<>();
+
+    // What becomes the surface table. Until a kind's tree is built, its surfaces are in the order of declaration.
     private final int[] declared;
     private final int[] materialIndex;
     private final List<Material> materials = new ArrayList<>();
 
-    private final List<Shape.Plane> planes = new ArrayList<>();
-    private final List<Shape.Sphere> spheres = new ArrayList<>();
-
-    // By number among the shapes of its kind: what goes into the surface table.
-    private final Origins planeOrigins;
-    private final Origins sphereOrigins;
-    private final Origins triangleOrigins;
-
-    /** Where surfaces of one kind come from, in the order of declaration. */
-    private static final class Origins {
-        final int[] declared;
-        final Material[] material;
-        final Map<Material, Integer> materialOf = new HashMap<>();
-        int count;
-        private Material last;
-        private int lastIndex;
-
-        Origins(int max) {
-            declared = new int[max];
-            material = new Material[max];
-        }
-
-        void add(int number, Material made) {
-            declared[count] = number;
-            material[count++] = made;
-        }
-
-        /** The index of a surface's material among those of this kind. */
-        int materialIndex(int number, List<Material> materials) {
-            Material made = material[number];
-            if (made != last) {
-                last = made;
-                Integer known = materialOf.putIfAbsent(made, materials.size());
-                if (known == null) {
-                    materials.add(made);
-                }
-                lastIndex = known == null ? materials.size() - 1 : known;
-            }
-            return lastIndex;
-        }
-    }
-
     SurfaceCompiler(Scene scene, ForkJoinPool pool) {
-        this.mesh = scene.mesh();
+        mesh = scene.mesh();
         this.pool = pool;
-        planeOrigins = new Origins(count(scene.shapes(), Shape.Plane.class));
-        sphereOrigins = new Origins(count(scene.shapes(), Shape.Sphere.class));
-        triangleOrigins = new Origins(mesh.triangles());
-        int next = 0;
-        for (Shape shape : scene.shapes()) {
-            sort(shape, next);
-            next = Math.addExact(next, shape.count());
-        }
-        declared = new int[planes.size() + spheres.size() + mesh.triangles()];
-        materialIndex = new int[declared.length];
-    }
-
-    private static int count(List<Shape> shapes, Class<? extends Shape> kind) {
         int count = 0;
-        for (Shape shape : shapes) {
-            count += kind.isInstance(shape) ? 1 : 0;
+        for (Shape shape : scene.shapes()) {
+            count = Math.addExact(count, shape.count());
+            if (shape instanceof Shape.Plane plane) {
+                planes.add(plane);
+            } else if (shape instanceof Shape.Sphere sphere) {
+                spheres.add(sphere);
+            }
         }
-        return count;
+        declared = new int[count];
+        materialIndex = new int[count];
+        list(scene.shapes(), Shape.Plane.class, 0);
+        list(scene.shapes(), Shape.Sphere.class, planes.size());
+        list(scene.shapes(), Shape.Triangles.class, planes.size() + spheres.size());
     }
 
-    private void sort(Shape shape, int declared) {
-        if (shape instanceof Shape.Plane plane) {
-            planes.add(plane);
-            planeOrigins.add(declared, plane.material());
-        } else if (shape instanceof Shape.Sphere sphere) {
-            spheres.add(sphere);
-            sphereOrigins.add(declared, sphere.material());
-        } else if (shape instanceof Shape.Triangles run) {
-            for (int k = 0; k < run.count(); k++) {
-                triangleOrigins.add(declared + k, run.material());
+    /** Lists the surfaces of one kind, which begin at some index. */
+    private void list(List<Shape> shapes, Class<? extends Shape> kind, int first) {
+        Map<Material, Integer> indices = new HashMap<>();
+        int surface = first, number = 0;
+        for (Shape shape : shapes) {
+            if (kind.isInstance(shape)) {
+                Integer known = indices.putIfAbsent(shape.material(), materials.size());
+                if (known == null) {
+                    materials.add(shape.material());
+                }
+                Arrays.fill(materialIndex, surface, surface + shape.count(), known == null ? materials.size() - 1 : known);
+                for (int k = 0; k < shape.count(); k++) {
+                    declared[surface++] = number + k;
+                }
             }
+            number += shape.count();
         }
     }
 
@@ -109,13 +73,13 @@ final class SurfaceCompiler {
     List<Surfaces> surfaces() {
         List<Surfaces> kinds = new ArrayList<>();
         if (!planes.isEmpty()) {
-            kinds.add(planes());
+            kinds.add(new Planes(planes, 0));
         }
         if (!spheres.isEmpty()) {
-            kinds.add(spheres());
+            kinds.add(spheres(planes.size()));
         }
         if (mesh.triangles() > 0) {
-            kinds.add(triangles());
+            kinds.add(triangles(planes.size() + spheres.size()));
         }
         return List.copyOf(kinds);
     }
@@ -125,35 +89,25 @@ final class SurfaceCompiler {
         return new SurfaceTable(declared, materialIndex, materials.toArray(new Material[0]));
     }
 
-    private Surfaces planes() {
-        for (int k = 0; k < planes.size(); k++) {
-            settle(k, planeOrigins, k);
-        }
-        return new Planes(planes, 0);
-    }
-
-    private Surfaces spheres() {
+    private Surfaces spheres(int first) {
         Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Spheres.LEAF_SIZE, pool);
-        int firstSurface = planes.size();
-        List<Shape.Sphere> ordered = new ArrayList<>(spheres.size());
-        for (int k = 0; k < spheres.size(); k++) {
-            ordered.add(spheres.get(bvh.order()[k]));
-            settle(firstSurface + k, sphereOrigins, bvh.order()[k]);
-        }
-        return new Spheres(ordered, firstSurface, bvh);
+        arrange(first, bvh.order());
+        return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), first, bvh);
     }
 
-    private Surfaces triangles() {
+    private Surfaces triangles(int first) {
         Bvh bvh = BvhBuilder.build(mesh.triangles(), Triangles.bounds(mesh), Triangles.LEAF_SIZE, pool);
-        int firstSurface = planes.size() + spheres.size();
-        for (int k = 0; k < mesh.triangles(); k++) {
-            settle(firstSurface + k, triangleOrigins, bvh.order()[k]);
-        }
-        return new Triangles(mesh, firstSurface, bvh, pool);
+        arrange(first, bvh.order());
+        return new Triangles(mesh, first, bvh, pool);
     }
 
-    private void settle(int surface, Origins from, int k) {
-        declared[surface] = from.declared[k];
-        materialIndex[surface] = from.materialIndex(k, materials);
+    /** Puts surfaces in the order of their tree. */
+    private void arrange(int first, int[] order) {
+        int[] declaredBefore = Arrays.copyOfRange(declared, first, first + order.length);
+        int[] materialBefore = Arrays.copyOfRange(materialIndex, first, first + order.length);
+        for (int k = 0; k < order.length; k++) {
+            declared[first + k] = declaredBefore[order[k]];
+            materialIndex[first + k] = materialBefore[order[k]];
+        }
     }
 }
