@@ -78,7 +78,7 @@ public final class Explainer implements BatchObserver {
 
     @Override
     public void found() {
-        Colour weight = rays.leaveEye ? new Colour(1, 1, 1) : new Colour(rays.red[0], rays.green[0], rays.blue[0]);
+        Colour weight = new Colour(rays.red[0], rays.green[0], rays.blue[0]);
         List<Integer> asNear = rays.hit[0] == Rays.NONE ? List.of() : asNear(rays.hit[0]);
         step = new Step(rays.origin.get(0), rays.direction.get(0), weight, asNear, null, List.of());
         steps.add(step);

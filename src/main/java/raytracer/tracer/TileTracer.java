@@ -200,29 +200,11 @@ public final class TileTracer {
     }
 
     private void addToSamples() {
-        if (!rays.leaveEye) {
-            addMirrored(samples.red, samples.green, samples.blue);
-        } else {
-            setSamples(rays.pixel, samples.red, samples.green, samples.blue);
-        }
-    }
-
-    private void addMirrored(double[] red, double[] green, double[] blue) {
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
-            red[p] += times(rays.red[i], shading.red[i]);
-            green[p] += times(rays.green[i], shading.green[i]);
-            blue[p] += times(rays.blue[i], shading.blue[i]);
-        }
-    }
-
-    /** Rays from the eye bring all of the light there. */
-    private void setSamples(int[] pixel, double[] red, double[] green, double[] blue) {
-        for (int i = 0; i < rays.count; i++) {
-            int p = pixel[i];
-            red[p] = shading.red[i];
-            green[p] = shading.green[i];
-            blue[p] = shading.blue[i];
+            samples.red[p] += times(rays.red[i], shading.red[i]);
+            samples.green[p] += times(rays.green[i], shading.green[i]);
+            samples.blue[p] += times(rays.blue[i], shading.blue[i]);
         }
     }
 
@@ -249,11 +231,6 @@ public final class TileTracer {
 
     /** Takes a mirror's share of light from rays, and keeps those that are worth following; returns how many are. */
     private int dim(int from, int to, Colour mirror, int keptBefore) {
-        if (rays.leaveEye) {
-            Arrays.fill(rays.red, from, to, 1);
-            Arrays.fill(rays.green, from, to, 1);
-            Arrays.fill(rays.blue, from, to, 1);
-        }
         int count = keptBefore;
         for (int i = from; i < to; i++) {
             rays.red[i] = times(rays.red[i], mirror.red());

@@ -53,7 +53,7 @@ public final class Rays {
     public final double[] nz = new double[Batch.CAPACITY];
     public final double[] normalError = new double[Batch.CAPACITY];
 
-    // How much of the light that comes along the ray reaches the pixel: not set while it is all, as from the eye.
+    // How much of the light that comes along the ray reaches the pixel: all of it, from the eye.
     public final double[] red = new double[Batch.CAPACITY];
     public final double[] green = new double[Batch.CAPACITY];
     public final double[] blue = new double[Batch.CAPACITY];
@@ -85,6 +85,9 @@ public final class Rays {
         System.arraycopy(samples.x, from, nx, 0, count);
         System.arraycopy(samples.y, from, ny, 0, count);
         Arrays.fill(source, 0, count, NONE);
+        Arrays.fill(red, 0, count, 1);
+        Arrays.fill(green, 0, count, 1);
+        Arrays.fill(blue, 0, count, 1);
         for (int i = 0; i < count; i++) {
             pixel[i] = from + i;
         }

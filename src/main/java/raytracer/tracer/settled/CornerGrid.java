@@ -15,9 +15,28 @@ final class CornerGrid {
     /** By corner, row by row: the index of its ray among those that a claim is about; negative if it has none. */
     final int[] rayOf = new int[Batch.CAPACITY];
 
-    /** What is to be proved of all cells between two columns and two rows of corners. */
+    /** All cells between two columns and two rows of corners. */
+    record Cells(int left, int top, int right, int bottom) {
+
+        boolean isOne() {
+            return right - left == 1 && bottom - top == 1;
+        }
+
+        int cornerCount() {
+            return (right - left + 1) * (bottom - top + 1);
+        }
+
+        private Cells half(boolean isFirst) {
+            int column = (left + right) >>> 1, row = (top + bottom) >>> 1;
+            return right - left > bottom - top
+                    ? isFirst ? new Cells(left, top, column, bottom) : new Cells(column, top, right, bottom)
+                    : isFirst ? new Cells(left, top, right, row) : new Cells(left, row, right, bottom);
+        }
+    }
+
+    /** What is to be proved of cells. */
     interface Claim {
-        boolean holds(int left, int top, int right, int bottom);
+        boolean holds(Cells cells);
     }
 
     CornerGrid(int columns, int rows) {
@@ -32,33 +51,24 @@ final class CornerGrid {
      * rectangle's halves are tried, down to single cells.
      */
     void prove(Claim claim) {
-        prove(claim, 0, 0, columns - 1, rows - 1);
+        prove(claim, new Cells(0, 0, columns - 1, rows - 1));
     }
 
-    private void prove(Claim claim, int left, int top, int right, int bottom) {
-        if (!isAnySettled(left, top, right, bottom) || claim.holds(left, top, right, bottom)) {
+    private void prove(Claim claim, Cells cells) {
+        if (!isAnySettled(cells) || claim.holds(cells)) {
             return;
         }
-        if (isCell(left, top, right, bottom)) {
-            settled[top * (columns - 1) + left] = false;
-        } else if (right - left > bottom - top) {
-            int middle = (left + right) >>> 1;
-            prove(claim, left, top, middle, bottom);
-            prove(claim, middle, top, right, bottom);
+        if (cells.isOne()) {
+            settled[cells.top * (columns - 1) + cells.left] = false;
         } else {
-            int middle = (top + bottom) >>> 1;
-            prove(claim, left, top, right, middle);
-            prove(claim, left, middle, right, bottom);
+            prove(claim, cells.half(true));
+            prove(claim, cells.half(false));
         }
     }
 
-    static boolean isCell(int left, int top, int right, int bottom) {
-        return right - left == 1 && bottom - top == 1;
-    }
-
-    private boolean isAnySettled(int left, int top, int right, int bottom) {
-        for (int row = top; row < bottom; row++) {
-            for (int column = left; column < right; column++) {
+    private boolean isAnySettled(Cells cells) {
+        for (int row = cells.top; row < cells.bottom; row++) {
+            for (int column = cells.left; column < cells.right; column++) {
                 if (settled[row * (columns - 1) + column]) {
                     return true;
                 }
@@ -67,24 +77,31 @@ final class CornerGrid {
         return false;
     }
 
-    /** The corner of the grid at one of a rectangle's four, in their order around it. */
-    int corner(int corner, int left, int top, int right, int bottom) {
-        return (corner < 2 ? top : bottom) * columns + (corner == 0 || corner == 3 ? left : right);
+    /** The corner in a column and a row. */
+    int corner(int column, int row) {
+        return row * columns + column;
     }
 
-    /** How many corners in a rectangle have a ray. */
-    int count(int left, int top, int right, int bottom) {
+    /** The four outermost corners, in their order around the cells. */
+    int[] outermost(Cells c) {
+        return new int[] {
+            corner(c.left, c.top), corner(c.right, c.top), corner(c.right, c.bottom), corner(c.left, c.bottom)};
+    }
+
+    /** The four corners of one cell. */
+    int[] cornersOf(int cell) {
+        int column = cell % (columns - 1), row = cell / (columns - 1);
+        return outermost(new Cells(column, row, column + 1, row + 1));
+    }
+
+    /** How many corners of cells have a ray. */
+    int rayCount(Cells cells) {
         int count = 0;
-        for (int row = top; row <= bottom; row++) {
-            for (int p = row * columns + left; p <= row * columns + right; p++) {
+        for (int row = cells.top; row <= cells.bottom; row++) {
+            for (int p = corner(cells.left, row); p <= corner(cells.right, row); p++) {
                 count += rayOf[p] >= 0 ? 1 : 0;
             }
         }
         return count;
-    }
-
-    /** The upper left corner of a cell. */
-    int point(int cell) {
-        return cell / (columns - 1) * columns + cell % (columns - 1);
     }
 }

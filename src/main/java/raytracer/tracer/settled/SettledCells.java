@@ -3,7 +3,6 @@ package raytracer.tracer.settled;
 import java.util.Arrays;
 import java.util.List;
 import raytracer.scene.Material;
-import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.rays.BatchObserver;
@@ -21,8 +20,7 @@ import raytracer.tracer.surface.UnboundedSurfaces;
  * Proves of the cells of a grid of samples that there is nothing in them but what their corners show: no other
  * surface in front, no edge of a shadow, and so on along mirrors, as far as their light can change a pixel (Genetti,
  * Gordon and Williams, Adaptive Supersampling in Object Space Using Pyramidal Rays, 1998). It watches a batch being
- * traced. What is proved of a rectangle of cells is proved of each; where that fails, its halves are tried, down to
- * single cells.
+ * traced.
  */
 public final class SettledCells implements BatchObserver {
 
@@ -81,7 +79,7 @@ public final class SettledCells implements BatchObserver {
             direction.set(p, rays.direction, i);
             distance[p] = rays.distance[i];
             hit[p] = rays.hit[i];
-            weight[p] = rays.leaveEye ? 1 : Math.max(rays.red[i], Math.max(rays.green[i], rays.blue[i]));
+            weight[p] = Math.max(rays.red[i], Math.max(rays.green[i], rays.blue[i]));
         }
     }
 
@@ -93,50 +91,42 @@ public final class SettledCells implements BatchObserver {
             point.set(p, rays.origin, i);
             normal.set(p, rays.normal, i);
         }
-        grid.prove(this::showsWhatItsCornersShow);
+        prove((cells, seen) -> {
+            enclose(cells, origin, direction, distance, seen);
+            return hitsOnly(seen);
+        });
     }
 
-    private boolean showsWhatItsCornersShow(int left, int top, int right, int bottom) {
-        int rayCount = grid.count(left, top, right, bottom);
-        if (rayCount == 0) {
-            return true;
-        }
-        if (rayCount < (right - left + 1) * (bottom - top + 1)) {
-            return false;
-        }
-        if (isFaint(left, top, right, bottom)) {
-            return true;
-        }
-        int seen = surfaceSeen(left, top, right, bottom);
-        if (seen == SEVERAL) {
-            return false;
-        }
-        bundle.clear();
-        for (int row = top; row <= bottom; row++) {
-            bundle.include(origin, direction, distance, row * grid.columns + left, row * grid.columns + right + 1);
-        }
-        for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
-            int p = grid.corner(corner, left, top, right, bottom);
-            Vector at = seen == Rays.NONE ? null : point.get(p);
-            bundle.setCorner(corner, origin.get(p), direction.get(p), at, normal.get(p));
-        }
-        bundle.close();
-        return hitsOnly(seen);
+    /** A claim of cells in which all rays hit the same surface, or nothing. */
+    private interface Claim {
+        boolean holds(CornerGrid.Cells cells, int seen);
     }
 
-    private boolean isFaint(int left, int top, int right, int bottom) {
+    /** Proves a claim of cells that have a ray at each corner; it need not hold where no ray or no light comes. */
+    private void prove(Claim claim) {
+        grid.prove(cells -> {
+            int rayCount = grid.rayCount(cells);
+            if (rayCount == 0 || rayCount < cells.cornerCount()) {
+                return rayCount == 0;
+            }
+            int seen = surfaceSeen(cells);
+            return isFaint(cells) || seen != SEVERAL && claim.holds(cells, seen);
+        });
+    }
+
+    private boolean isFaint(CornerGrid.Cells cells) {
         double max = 0;
-        for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
-            max = Math.max(max, weight[grid.corner(corner, left, top, right, bottom)]);
+        for (int p : grid.outermost(cells)) {
+            max = Math.max(max, weight[p]);
         }
         return max < tolerance / 2;
     }
 
     /** The surface that all rays hit, or {@link Rays#NONE} or {@link #SEVERAL}. */
-    private int surfaceSeen(int left, int top, int right, int bottom) {
-        int seen = hit[top * grid.columns + left];
-        for (int row = top; row <= bottom; row++) {
-            for (int p = row * grid.columns + left; p <= row * grid.columns + right; p++) {
+    private int surfaceSeen(CornerGrid.Cells cells) {
+        int seen = hit[grid.corner(cells.left(), cells.top())];
+        for (int row = cells.top(); row <= cells.bottom(); row++) {
+            for (int p = grid.corner(cells.left(), row); p <= grid.corner(cells.right(), row); p++) {
                 if (hit[p] != seen) {
                     return SEVERAL;
                 }
@@ -145,11 +135,24 @@ public final class SettledCells implements BatchObserver {
         return seen;
     }
 
+    /** Makes the bundle of all rays through cells, or from them to the light. */
+    private void enclose(CornerGrid.Cells cells, Vectors from, Vectors unit, double[] length, int seen) {
+        bundle.clear();
+        for (int row = cells.top(); row <= cells.bottom(); row++) {
+            bundle.include(from, unit, length, grid.corner(cells.left(), row), grid.corner(cells.right(), row) + 1);
+        }
+        int[] outermost = grid.outermost(cells);
+        for (int corner = 0; corner < outermost.length; corner++) {
+            int p = outermost[corner];
+            bundle.setCorner(corner, from.get(p), unit.get(p), seen == Rays.NONE ? null : point.get(p), normal.get(p));
+        }
+        bundle.close();
+    }
+
     /** An unbounded surface need not be looked for: what shows of one, a corner shows too. */
     private boolean hitsOnly(int seen) {
         for (Surfaces kind : surfaces) {
-            if (kind instanceof BoundedSurfaces bounded
-                    && !BundleSearch.hitsNone(bounded, bundle, seen, space)) {
+            if (kind instanceof BoundedSurfaces bounded && !BundleSearch.hitsNone(bounded, bundle, seen, space)) {
                 return false;
             }
         }
@@ -159,9 +162,7 @@ public final class SettledCells implements BatchObserver {
     /** Takes note of which shadow rays matter. */
     @Override
     public void aimed(int from, int to, ShadowRays all) {
-        for (int i = from; i < to; i++) {
-            isAimed[i] = all.unoccluded[i];
-        }
+        System.arraycopy(all.unoccluded, from, isAimed, from, to - from);
     }
 
     /** Proves that the light shines on all of a cell, or on nothing of it. */
@@ -176,64 +177,31 @@ public final class SettledCells implements BatchObserver {
             towardsLight.set(p, all.direction, i);
             lightDistance[p] = all.distance[i];
         }
-        grid.prove(this::isLitAlike);
+        prove(this::isLitAlike);
         if (!material.specular().isBlack() && material.shininess() > 1) {
             proveSmooth();
         }
     }
 
-    private boolean isLitAlike(int left, int top, int right, int bottom) {
-        int rayCount = grid.count(left, top, right, bottom);
-        if (rayCount == 0) {
-            return true;
-        }
-        if (rayCount < (right - left + 1) * (bottom - top + 1)) {
-            return false;
-        }
-        if (isFaint(left, top, right, bottom)) {
-            return true;
-        }
-        int seen = surfaceSeen(left, top, right, bottom);
-        if (seen == SEVERAL) {
-            return false;
-        }
-        int aimedCount = 0, seeCount = 0;
-        for (int row = top; row <= bottom; row++) {
-            for (int p = row * grid.columns + left; p <= row * grid.columns + right; p++) {
-                aimedCount += isAimed[grid.rayOf[p]] ? 1 : 0;
-                seeCount += shadows.unoccluded[grid.rayOf[p]] ? 1 : 0;
+    private boolean isLitAlike(CornerGrid.Cells cells, int seen) {
+        int aimed = 0, unoccluded = 0;
+        for (int row = cells.top(); row <= cells.bottom(); row++) {
+            for (int p = grid.corner(cells.left(), row); p <= grid.corner(cells.right(), row); p++) {
+                aimed += isAimed[grid.rayOf[p]] ? 1 : 0;
+                unoccluded += shadows.unoccluded[grid.rayOf[p]] ? 1 : 0;
             }
         }
-        if (aimedCount == 0) {
+        if (aimed == 0) {
             return true;
         }
-        if (seeCount == 0) {
-            return aimedCount == rayCount && isAllBlocked(left, top, right, bottom);
-        }
-        encloseWaysToLight(left, top, right, bottom);
-        return seeCount == aimedCount && hitsOnly(seen);
-    }
-
-    private void encloseWaysToLight(int left, int top, int right, int bottom) {
-        bundle.clear();
-        for (int row = top; row <= bottom; row++) {
-            bundle.include(point, towardsLight, lightDistance, row * grid.columns + left, row * grid.columns + right + 1);
-        }
-        for (int corner = 0; corner < RayBundle.CORNERS; corner++) {
-            int p = grid.corner(corner, left, top, right, bottom);
-            Vector at = point.get(p);
-            bundle.setCorner(corner, at, towardsLight.get(p), at, normal.get(p));
-        }
-        bundle.close();
+        enclose(cells, point, towardsLight, lightDistance, seen);
+        return unoccluded == 0 ? aimed == cells.cornerCount() && isAllBlocked(cells)
+                : unoccluded == aimed && hitsOnly(seen);
     }
 
     /** Whether one surface blocks the corners' shadow rays, and so, as all are convex, those between them. */
-    private boolean isAllBlocked(int left, int top, int right, int bottom) {
-        int[] corners = new int[RayBundle.CORNERS];
-        for (int corner = 0; corner < corners.length; corner++) {
-            corners[corner] = grid.rayOf[grid.corner(corner, left, top, right, bottom)];
-        }
-        encloseWaysToLight(left, top, right, bottom);
+    private boolean isAllBlocked(CornerGrid.Cells cells) {
+        int[] corners = Arrays.stream(grid.outermost(cells)).map(p -> grid.rayOf[p]).toArray();
         for (Surfaces kind : surfaces) {
             if (kind instanceof BoundedSurfaces bounded
                     ? BundleSearch.anyBlocksAll(bounded, bundle, k -> blocksAll(bounded, corners, k), space)
@@ -261,8 +229,7 @@ public final class SettledCells implements BatchObserver {
             }
         }
         for (int cell = 0; cell < grid.settled.length; cell++) {
-            int p = grid.point(cell);
-            int[] corners = {p, p + 1, p + grid.columns, p + grid.columns + 1};
+            int[] corners = grid.cornersOf(cell);
             grid.settled[cell] &= !isAnyLit(corners)
                     || highlight.isSmooth(corners, material, shadows.light.colour(), tolerance);
         }
@@ -283,17 +250,21 @@ public final class SettledCells implements BatchObserver {
     public boolean[] settled(Samples samples) {
         for (int cell = 0; cell < grid.settled.length; cell++) {
             if (grid.settled[cell]) {
-                int p = grid.point(cell);
-                double range = Math.max(range(samples.red, p), Math.max(range(samples.green, p), range(samples.blue, p)));
+                int[] corners = grid.cornersOf(cell);
+                double range = Math.max(range(samples.red, corners),
+                        Math.max(range(samples.green, corners), range(samples.blue, corners)));
                 grid.settled[cell] = range <= MAX_RANGE * tolerance;
             }
         }
         return grid.settled;
     }
 
-    private double range(double[] c, int p) {
-        double a = c[p], b = c[p + 1], d = c[p + grid.columns], e = c[p + grid.columns + 1];
-        return Math.min(1, Math.max(Math.max(a, b), Math.max(d, e)))
-                - Math.min(1, Math.min(Math.min(a, b), Math.min(d, e)));
+    private static double range(double[] c, int[] corners) {
+        double min = 1, max = 0;
+        for (int p : corners) {
+            min = Math.min(min, c[p]);
+            max = Math.max(max, Math.min(1, c[p]));
+        }
+        return max - min;
     }
 }
