@@ -149,22 +149,28 @@ public final class Image implements PixelSink {
         return new BufferedImage(colours, raster, false, null);
     }
 
-    /** The picture for an encoder that asks for it row by row, while its pixels are still being set. */
+    /**
+     * The picture for an encoder that asks for it row by row, while its pixels are still being set. Each row is a tile of
+     * its own, for Java 25's encoder asks for tiles; and all is no BufferedImage, of which that takes the bytes at once.
+     */
     public RenderedImage rowByRow() {
         BufferedImage picture = toBufferedImage();
-        // Not a BufferedImage, for of that Java 25's encoder takes the bytes without asking.
         return (RenderedImage) Proxy.newProxyInstance(Image.class.getClassLoader(),
-                new Class<?>[] {RenderedImage.class}, (proxy, method, arguments) -> {
-                    if (method.getName().equals("getData") && arguments != null) {
-                        awaitRows((Rectangle) arguments[0]);
-                    }
-                    return method.invoke(picture, arguments);
+                new Class<?>[] {RenderedImage.class}, (proxy, method, arguments) -> switch (method.getName()) {
+                    case "getTileHeight" -> 1;
+                    case "getNumYTiles" -> height;
+                    case "getTile" -> rows(picture, new Rectangle(0, (int) arguments[1], width, 1));
+                    case "getData" -> rows(picture, arguments == null ? new Rectangle(0, 0, width, height)
+                            : (Rectangle) arguments[0]);
+                    default -> method.invoke(picture, arguments);
                 });
     }
 
-    private void awaitRows(Rectangle area) {
+    private Raster rows(BufferedImage picture, Rectangle area) {
         for (int row = area.y; row < area.y + area.height; row++) {
             awaitRow(row);
         }
+        return picture.getData(area);
     }
+
 }

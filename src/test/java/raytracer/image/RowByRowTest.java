@@ -74,6 +74,22 @@ class RowByRowTest {
     }
 
     @Test
+    void isTiledByRowsOfWhichEachWaitsForItsOwn() {
+        assertTimeoutPreemptively(SOON, () -> {
+            Image image = new Image(10, 2);
+            RenderedImage rows = image.rowByRow();
+            set(image, 0, 1, 10);
+            assertEquals(2, rows.getNumYTiles());
+            assertEquals(new Rectangle(0, 1, 10, 1), rows.getTile(0, 1).getBounds());
+            CompletableFuture<?> first = CompletableFuture.runAsync(() -> rows.getTile(0, 0));
+            Thread.sleep(100);
+            assertFalse(first.isDone(), "nothing of the first row is there");
+            set(image, 0, 0, 10);
+            first.get();
+        });
+    }
+
+    @Test
     void endsTheWaitingOfOneSideWhenTheOtherFails() {
         assertTimeoutPreemptively(SOON, () -> {
             Image image = new Image(10, 10);
