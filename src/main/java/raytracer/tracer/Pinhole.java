@@ -6,6 +6,7 @@ import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.Samples;
 
 /** The rays of a scene's camera. */
 final class Pinhole {
@@ -52,18 +53,20 @@ final class Pinhole {
         return height;
     }
 
-    /** Makes rays leave the eye, through points of the picture that are in place of their normals' x and y. */
-    void aim(Rays rays) {
+    /** Makes rays leave the eye through their samples' points. */
+    void aim(Rays rays, Samples samples) {
         int to = rays.count;
         double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
         double bx = backward.x(), by = backward.y(), bz = backward.z();
         for (int i = 0; i < to; i++) {
             // Twice the position less the size is exact for pixels' centres in a picture of any size.
-            double a = 2 * rays.nx[i] - width, b = height - 2 * rays.ny[i];
+            int sample = rays.pixel[i];
+            double a = 2 * samples.x[sample] - width, b = height - 2 * samples.y[sample];
             rays.dx[i] = a * rx + b * ux - bx;
             rays.dy[i] = a * ry + b * uy - by;
             rays.dz[i] = a * rz + b * uz - bz;
         }
+        // Nothing is hit yet: the distances have room for the lengths.
         rays.direction.normalise(rays.distance, 0, to);
         Arrays.fill(rays.directionError, 0, to, Rounding.EYE_DIRECTION);
         Arrays.fill(rays.ox, 0, to, eye.x());

@@ -147,8 +147,8 @@ public final class TileTracer {
         Arrays.fill(samples.red, from, to, 0);
         Arrays.fill(samples.green, from, to, 0);
         Arrays.fill(samples.blue, from, to, 0);
-        rays.start(samples, from, to - from);
-        pinhole.aim(rays);
+        rays.start(from, to - from);
+        pinhole.aim(rays, samples);
         primaryCount += to - from;
     }
 

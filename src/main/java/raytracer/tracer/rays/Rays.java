@@ -75,15 +75,10 @@ public final class Rays {
         Arrays.fill(closeDistance, -1);
     }
 
-    /**
-     * Starts at the eye. A ray's pixel is the number of its sample, whose point is in place of the normal's x and y until
-     * the ray is aimed.
-     */
-    public void start(Samples samples, int from, int number) {
+    /** Starts with rays of so many samples, from one on; they are yet to be aimed. A ray's pixel is its sample's number. */
+    public void start(int from, int number) {
         count = number;
         leaveEye = true;
-        System.arraycopy(samples.x, from, nx, 0, count);
-        System.arraycopy(samples.y, from, ny, 0, count);
         Arrays.fill(source, 0, count, NONE);
         Arrays.fill(red, 0, count, 1);
         Arrays.fill(green, 0, count, 1);
