@@ -59,8 +59,8 @@ final class Pinhole {
         double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
         double bx = backward.x(), by = backward.y(), bz = backward.z();
         for (int i = 0; i < to; i++) {
-            // Twice the position less the size is exact for pixels' centres in a picture of any size.
             int sample = rays.pixel[i];
+            // Twice the position less the size is exact for pixels' centres in a picture of any size.
             double a = 2 * samples.x[sample] - width, b = height - 2 * samples.y[sample];
             rays.dx[i] = a * rx + b * ux - bx;
             rays.dy[i] = a * ry + b * uy - by;
