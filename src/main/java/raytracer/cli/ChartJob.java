@@ -21,7 +21,7 @@ import raytracer.files.OutputFile;
 import raytracer.files.Places;
 import raytracer.files.Reason;
 import raytracer.files.UsageException;
-import raytracer.render.Canvas;
+import raytracer.image.Canvas;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.render.Sampling;

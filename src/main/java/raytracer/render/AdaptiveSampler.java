@@ -1,7 +1,5 @@
 package raytracer.render;
 
-import java.util.List;
-import java.util.stream.IntStream;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
@@ -21,10 +19,6 @@ final class AdaptiveSampler implements Sampler {
     /** The samples of each pixel at corners. */
     static final double FIRST_SAMPLES = (double) Samples.CAPACITY / (TILE_SIDE * TILE_SIDE);
 
-    /** The samples of pilots: how far few are off is told by more. */
-    static final int COARSE = 4;
-    private static final int FINE = 16;
-
     private final TileTracer tracer;
     private final double error;
     private final SampleBudget budget;
@@ -37,7 +31,6 @@ final class AdaptiveSampler implements Sampler {
     private boolean[] settled;
     private PixelMeans means;
 
-    /** @param budget null if this is only to measure variances */
     AdaptiveSampler(TileTracer tracer, double error, SampleBudget budget) {
         this.tracer = tracer;
         this.error = error;
@@ -55,23 +48,6 @@ final class AdaptiveSampler implements Sampler {
         }
         queue.flush();
         means.send(left, top, columns, rows, sink);
-    }
-
-    /** What those of a rectangle's pixels are like that are not settled. */
-    List<SampleBudget.Pilot> pilots(int left, int top, int columns, int rows) {
-        sample(left, top, columns, rows, COARSE);
-        PixelMeans coarse = means;
-        means = new PixelMeans(columns * rows);
-        queue.start(means);
-        for (int pixel = 0; pixel < settled.length; pixel++) {
-            if (!settled[pixel]) {
-                add(pixel, FINE);
-            }
-        }
-        queue.flush();
-        return IntStream.range(0, settled.length).filter(pixel -> !settled[pixel])
-                .mapToObj(pixel -> new SampleBudget.Pilot(coarse.variance(pixel), means.variance(pixel),
-                        means.squaredDifference(coarse, pixel))).toList();
     }
 
     /** Takes samples at corners, which are those of settled pixels, and initial ones of all other pixels. */

@@ -2,7 +2,6 @@ package raytracer.render;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -20,15 +19,6 @@ import raytracer.tracer.Tracer;
  * bytes.
  */
 public final class Renderer {
-
-    /**
-     * To know how many samples an adaptive picture takes, a block of so many pixels' side is looked at in every tile, so
-     * that nothing as large as a tile is overlooked; a larger one in small pictures, so that there are enough pixels in
-     * all; and of a huge picture in so many of the tiles.
-     */
-    private static final int MIN_PILOT_SIDE = 5;
-    private static final int PILOTS = 16_000;
-    private static final int MAX_PILOT_BLOCKS = 4096;
 
     private final Tracer tracer;
     private final Sampling sampling;
@@ -75,25 +65,14 @@ public final class Renderer {
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
-        // Of the whole picture, so that a part of it gets the same samples.
-        Tiles whole = new Tiles(Region.whole(tracer.width(), tracer.height()), AdaptiveSampler.TILE_SIDE);
-        int stride = (int) Math.max(1, whole.count() / MAX_PILOT_BLOCKS);
-        int side = Math.max(MIN_PILOT_SIDE, (int) Math.sqrt((double) PILOTS / whole.count()));
-        List<List<SampleBudget.Pilot>> blocks = new ArrayList<>(
-                Collections.nCopies((int) ((whole.count() + stride - 1) / stride), List.of()));
-        AtomicLong pixels = new AtomicLong();
-        RayCounts pilot = onAllThreads(pool, () -> {
-            AdaptiveSampler sampler = new AdaptiveSampler(tracer.newTileTracer(), error, null);
-            for (long tile; (tile = whole.next(stride)) < whole.count(); ) {
-                Region block = pilotBlock(whole, tile, side);
-                pixels.addAndGet((long) block.width() * block.height());
-                blocks.set((int) (tile / stride),
-                        sampler.pilots(block.x(), block.y(), block.width(), block.height()));
-            }
-            return sampler.counts();
-        });
-        SampleBudget budget = SampleBudget.plan(blocks, pixels.get(), error, AdaptiveSampler.FIRST_SAMPLES);
-        return pilot.plus(onAllThreads(pool, () -> work(budget.all() > 0
+        Pilots pilots = new Pilots(tracer, error);
+        RayCounts before = onAllThreads(pool, pilots::sample);
+        SampleBudget guess = pilots.budget();
+        if (guess.all() == 0) {
+            before = before.plus(onAllThreads(pool, pilots::prove));
+        }
+        SampleBudget budget = guess.all() > 0 ? guess : pilots.budget();
+        return before.plus(onAllThreads(pool, () -> work(budget.all() > 0
                 ? new LatticeSampler(tracer.newTileTracer(), new Sampling.Lattice(budget.all(), 0))
                 : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));
     }
@@ -135,14 +114,6 @@ public final class Renderer {
         return (double) done.get() / tiles.count();
     }
 
-    /** A block of a tile: not the same one of each, as pictures may be regular. */
-    private static Region pilotBlock(Tiles whole, long tile, int side) {
-        int columns = Math.min(side, whole.columns(tile)), rows = Math.min(side, whole.rows(tile));
-        int hash = Long.hashCode(tile * 0x9E3779B97F4A7C15L) & Integer.MAX_VALUE;
-        return new Region(whole.left(tile) + hash % (whole.columns(tile) - columns + 1),
-                whole.top(tile) + hash / 64 % (whole.rows(tile) - rows + 1), columns, rows);
-    }
-
     /** Counts pixels from a region's corner, and drops those outside. */
     private record InRegion(Region region, PixelSink sink) implements PixelSink {
         @Override
@@ -163,7 +134,7 @@ public final class Renderer {
 
     private RayCounts work(Sampler sampler) {
         PixelSink inRegion = new InRegion(region, sink);
-        for (long tile; (tile = tiles.next(1)) < tiles.count(); ) {
+        for (long tile; (tile = tiles.next()) < tiles.count(); ) {
             sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), inRegion);
             done.incrementAndGet();
         }

@@ -32,8 +32,8 @@ final class Tiles {
     }
 
     /** The next tile that nobody has; {@code count} or more if there is none. */
-    long next(int stride) {
-        return next.getAndAdd(stride);
+    long next() {
+        return next.getAndIncrement();
     }
 
     int left(long tile) {

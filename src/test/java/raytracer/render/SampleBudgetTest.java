@@ -12,85 +12,116 @@ import org.junit.jupiter.api.Test;
 @DisplayName("A budget of samples")
 class SampleBudgetTest {
 
-    /** C of the edges' errors, squared, if 4 samples are off by as much as a grid of them at an edge. */
+    /** C of the edges' errors, squared, if few samples are off by as much as a grid of them at an edge. */
     private static final double C2 = 0.7 * 0.7;
 
-    private static final double CAUTION2 = 1.3 * 1.3;
+    private static final double CAUTION2 = 1.25 * 1.25;
 
-    /** Many pixels of a variance, each a block of its own, so that little is left to chance. */
-    private static List<List<SampleBudget.Pilot>> pilots(int count, double variance) {
+    /** By how much the means of 4 and of 16 samples differ, squared. */
+    private static final double CHANGE = Math.pow(4, -1.5) + Math.pow(16, -1.5);
+
+    /** Many pixels of a variance, so that little is left to chance. */
+    private static List<SampleBudget.Pilot> pilots(int count, double variance) {
         return pilots(count, variance, variance);
     }
 
-    private static List<List<SampleBudget.Pilot>> pilots(int count, double coarse, double variance) {
-        return Collections.nCopies(count,
-                List.of(new SampleBudget.Pilot(coarse, variance, C2 * variance * Math.pow(4, -1.5))));
+    private static List<SampleBudget.Pilot> pilots(int count, double coarse, double variance) {
+        return Collections.nCopies(count, new SampleBudget.Pilot(coarse, variance, C2 * variance * CHANGE));
     }
 
-    private static double samples(double variance, double square) {
-        return Math.pow(CAUTION2 * C2 * variance / square, 2 / 3.0);
+    /** Pixels of which one in so many is uneven. */
+    private static List<SampleBudget.Pilot> oneIn(int part, int count, double variance) {
+        List<SampleBudget.Pilot> pilots = new ArrayList<>(pilots(count, variance));
+        pilots.addAll(pilots((part - 1) * count, 0));
+        return pilots;
+    }
+
+    private static double samples(double c2, double variance, double square) {
+        return Math.pow(c2 * variance / square, 2 / 3.0);
     }
 
     @Test
     void isTheSameForAllWhereAllPixelsAreAsUneven() {
-        // Error^2 = C^2 v / N^1.5 for all; twice the standard error of 10,000 blocks adds 2 %.
-        assertEquals(samples(.1, 1e-4 / 1.02), SampleBudget.plan(pilots(10_000, .1), 10_000, .01, 1.1).all(), 1);
+        // Error^2 = C^2 v / N^1.5 for all; twice the standard error of 10,000 pilots adds 2 %.
+        SampleBudget budget = SampleBudget.plan(pilots(10_000, .1), 1, .01);
+        assertEquals(samples(C2, .1, 1e-4 / 1.02), budget.all(), 1);
     }
 
     @Test
-    void isNothingForAPictureWithoutEdges() {
-        SampleBudget budget = SampleBudget.plan(List.of(), 1000, .0039, 1.1);
-        assertTrue(budget.all() <= 1, budget.toString());
+    void isOneSampleForAPictureWithoutEdges() {
+        assertEquals(1, SampleBudget.plan(pilots(1000, 0), 0, .0039).all());
     }
 
     @Test
     void isOneSampleOnlyIfItMayBeOffByAllOfTheVariance() {
         // C says that even one sample of .1 is off by .29 at most; but what one shows is off by .32.
-        assertEquals(2, SampleBudget.plan(pilots(10_000, .1), 10_000, .3, 1.1).all());
-        assertEquals(1, SampleBudget.plan(pilots(10_000, .1), 10_000, .33, 1.1).all());
+        assertEquals(2, SampleBudget.plan(pilots(10_000, .1), 0, .3).all());
+        assertEquals(1, SampleBudget.plan(pilots(10_000, .1), 0, .33).all());
+    }
+
+    @Test
+    void isMoreThanThreeWhereThreeAreOffByMoreThanThreeOthers() {
+        double three = .1 * C2 * Math.pow(2.9, -1.5) / 1.02;
+        assertEquals(4, SampleBudget.plan(pilots(10_000, .1), 0, Math.sqrt(three)).all());
     }
 
     @Test
     void givesAFewUnevenPixelsTheSamplesThatTheErrorAllows() {
-        // One pixel in 50: C^2 v / (50 N^1.5) = error^2.
-        SampleBudget budget = SampleBudget.plan(pilots(2500, .1), 125_000, .0015, 1.1);
+        // One pixel in 50: C^2 v / (50 N^1.5) = error^2; twice the standard error of 2,500 adds 4 %.
+        SampleBudget budget = SampleBudget.plan(oneIn(50, 2500, .1), .02, .0015);
         assertEquals(0, budget.all());
-        assertEquals(samples(.1 / 50, 2.25e-6 / 1.04), budget.samples(.1), 1, budget.toString());
+        assertEquals(samples(CAUTION2 * C2, .1 / 50, 2.25e-6 / 1.04), budget.samples(.1), 1, budget.toString());
         assertEquals(budget.initial(), budget.samples(0));
     }
 
     @Test
+    void isTheSameForAllWhereManyMayBeUnsettledThatShowNoVariance() {
+        assertEquals(0, SampleBudget.plan(oneIn(50, 2500, .1), .3, .0015).all());
+        assertTrue(SampleBudget.plan(oneIn(50, 2500, .1), 1, .0015).all() > 0);
+    }
+
+    @Test
     void growsWithTheVarianceToThePowerOfTwoFifths() {
-        List<List<SampleBudget.Pilot>> pilots = new ArrayList<>(pilots(50, .1));
+        List<SampleBudget.Pilot> pilots = new ArrayList<>(oneIn(50, 50, .1));
         pilots.addAll(pilots(50, .1 / 32));
-        SampleBudget budget = SampleBudget.plan(pilots, 5000, .0001, 1.1);
+        SampleBudget budget = SampleBudget.plan(pilots, 0, .0001);
         assertEquals(budget.samples(.1), 4 * budget.samples(.1 / 32), 4, budget.toString());
     }
 
     @Test
     void isMoreWhereFewSamplesOverlookMuch() {
-        List<List<SampleBudget.Pilot>> seen = pilots(50, .1), overlooked = pilots(50, 0, .1);
-        SampleBudget a = SampleBudget.plan(seen, 1000, .01, 1.1), b = SampleBudget.plan(overlooked, 1000, .01, 1.1);
+        List<SampleBudget.Pilot> seen = oneIn(20, 50, .1), overlooked = new ArrayList<>(pilots(50, 0, .1));
+        overlooked.addAll(pilots(950, 0));
+        SampleBudget a = SampleBudget.plan(seen, .1, .01), b = SampleBudget.plan(overlooked, .1, .01);
         assertEquals(0, a.unseen());
         assertTrue(b.samples(0) > a.samples(0), a + " " + b);
     }
 
     @Test
+    void takesTheErrorsOfThingsThatFewSamplesOverlookForThoseOfPointsAtRandom() {
+        // One of 16 samples in each of 200 pixels: all four others are off by 1/16 alone, which says less than v / N.
+        List<SampleBudget.Pilot> pilots = new ArrayList<>(
+                Collections.nCopies(200, new SampleBudget.Pilot(0, 15 / 256.0, 1 / 256.0)));
+        pilots.addAll(pilots(9800, 0));
+        assertEquals(15 / 256.0 / 50 / (1.7e-4 / 1.14), SampleBudget.plan(pilots, 1, Math.sqrt(1.7e-4)).all(), 1);
+    }
+
+    @Test
     void isMoreWhereLittleIsKnown() {
-        SampleBudget many = SampleBudget.plan(pilots(2500, .1), 125_000, .0015, 1.1);
-        SampleBudget few = SampleBudget.plan(pilots(4, .1), 200, .0015, 1.1);
+        SampleBudget many = SampleBudget.plan(oneIn(50, 2500, .1), 0, .0015);
+        SampleBudget few = SampleBudget.plan(oneIn(50, 4, .1), 0, .0015);
         assertTrue(few.samples(.1) > 1.2 * many.samples(.1), few + " " + many);
     }
 
     @Test
     void isMoreWhereFewSamplesAreOffByMore() {
-        List<List<SampleBudget.Pilot>> even = pilots(1000, .1), uneven = Collections.nCopies(1000,
-                List.of(new SampleBudget.Pilot(.1, .1, .1 / 4)));
-        assertTrue(SampleBudget.plan(uneven, 1000, .01, 1.1).all() > 2 * SampleBudget.plan(even, 1000, .01, 1.1).all());
+        List<SampleBudget.Pilot> even = pilots(1000, .1), uneven = Collections.nCopies(1000,
+                new SampleBudget.Pilot(.1, .1, .1 / 4));
+        assertTrue(SampleBudget.plan(uneven, 1, .01).all() > 2 * SampleBudget.plan(even, 1, .01).all());
     }
 
     @Test
     void neverGivesMoreThanTheMost() {
-        assertTrue(SampleBudget.plan(pilots(10, 1), 1000, 1e-4, 5).samples(1) <= SampleBudget.MAX);
+        assertTrue(SampleBudget.plan(pilots(10, 1), 1, 1e-4).samples(1) <= SampleBudget.MAX);
     }
 }

@@ -1,0 +1,103 @@
+package raytracer.render;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
+import raytracer.tracer.RayCounts;
+import raytracer.tracer.TileTracer;
+import raytracer.tracer.Tracer;
+import raytracer.tracer.rays.Samples;
+
+/**
+ * Pixels in every tile of a picture that tell how many samples it takes: by how much samples differ there, and by how
+ * much few are off, as more of them show. They are of the whole picture, so that a part of it gets the same samples.
+ */
+final class Pilots {
+
+    /** Samples of a pilot, first few, then more. */
+    static final int COARSE = 4;
+    static final int FINE = 16;
+
+    /** Of a whole tile: all pilots take as long as .9 samples of each pixel. */
+    private static final int PER_TILE = 16;
+
+    /** Of a huge picture, only so many tiles have pilots. */
+    private static final int MAX_TILES = 4096;
+
+    /** Of so many tiles that have pilots, one is proved settled. */
+    private static final int TILES_PER_PROOF = 8;
+
+    private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
+
+    private final Tracer tracer;
+    private final double error;
+    private final Tiles tiles;
+    private final int stride;
+    private final SampleBudget.Pilot[][] byTile;
+    private final AtomicLong next = new AtomicLong();
+    private final AtomicLong nextProof = new AtomicLong();
+    private final AtomicLong provedPixels = new AtomicLong();
+    private final AtomicLong unsettledPixels = new AtomicLong();
+
+    Pilots(Tracer tracer, double error) {
+        this.tracer = tracer;
+        this.error = error;
+        tiles = new Tiles(Region.whole(tracer.width(), tracer.height()), AdaptiveSampler.TILE_SIDE);
+        stride = (int) ((tiles.count() + MAX_TILES - 1) / MAX_TILES);
+        byTile = new SampleBudget.Pilot[(int) ((tiles.count() + stride - 1) / stride)][];
+    }
+
+    /** Samples pilots of tiles that no other thread has taken. */
+    RayCounts sample() {
+        TileTracer mine = tracer.newTileTracer();
+        SampleQueue queue = new SampleQueue(mine);
+        for (int i; (i = (int) next.getAndIncrement()) < byTile.length; ) {
+            byTile[i] = sample((long) i * stride, queue);
+        }
+        return mine.counts();
+    }
+
+    private SampleBudget.Pilot[] sample(long tile, SampleQueue queue) {
+        int count = Math.max(1, PER_TILE * tiles.pixels(tile) / (AdaptiveSampler.TILE_SIDE * AdaptiveSampler.TILE_SIDE));
+        PixelMeans coarse = means(tile, count, COARSE, queue), fine = means(tile, count, FINE, queue);
+        SampleBudget.Pilot[] pilots = new SampleBudget.Pilot[count];
+        Arrays.setAll(pilots, i -> new SampleBudget.Pilot(
+                coarse.variance(i), fine.variance(i), fine.squaredDifference(coarse, i)));
+        return pilots;
+    }
+
+    private PixelMeans means(long tile, int count, int samples, SampleQueue queue) {
+        PixelMeans means = new PixelMeans(count);
+        queue.start(means);
+        for (int i = 0; i < count; i++) {
+            // A lattice, and not the same one in each tile, as pictures may be regular.
+            double x = tile * Math.sqrt(2) + (i + 0.5) / count, y = (tile + i) * GOLDEN;
+            queue.add(i, tiles.left(tile) + (int) (tiles.columns(tile) * (x - Math.floor(x))),
+                    tiles.top(tile) + (int) (tiles.rows(tile) * (y - Math.floor(y))), samples, 0);
+        }
+        queue.flush();
+        return means;
+    }
+
+    /** Proves pixels settled, of tiles that no other thread has taken. */
+    RayCounts prove() {
+        TileTracer mine = tracer.newTileTracer();
+        Samples corners = new Samples();
+        for (int i; (i = (int) nextProof.getAndAdd(TILES_PER_PROOF)) < byTile.length; ) {
+            long tile = (long) i * stride;
+            for (boolean isSettled : mine.traceCorners(
+                    tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), error, corners)) {
+                provedPixels.incrementAndGet();
+                unsettledPixels.addAndGet(isSettled ? 0 : 1);
+            }
+        }
+        return mine.counts();
+    }
+
+    /** What the picture takes, as far as that is known. */
+    SampleBudget budget() {
+        List<SampleBudget.Pilot> all = Arrays.stream(byTile).filter(Objects::nonNull).flatMap(Arrays::stream).toList();
+        return SampleBudget.plan(all, (double) unsettledPixels.get() / Math.max(1, provedPixels.get()), error);
+    }
+}
