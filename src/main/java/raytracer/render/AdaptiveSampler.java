@@ -15,9 +15,10 @@ final class AdaptiveSampler implements Sampler {
 
     /** Pixels along a tile's side: their corners are traced together. */
     static final int TILE_SIDE = Tracer.TILE_SIDE - 1;
+    static final int TILE_PIXELS = TILE_SIDE * TILE_SIDE;
 
     /** The samples of each pixel at corners. */
-    static final double FIRST_SAMPLES = (double) Samples.CAPACITY / (TILE_SIDE * TILE_SIDE);
+    static final double FIRST_SAMPLES = (double) Samples.CAPACITY / TILE_PIXELS;
 
     private final TileTracer tracer;
     private final double error;

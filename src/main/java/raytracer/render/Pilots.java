@@ -2,7 +2,7 @@ package raytracer.render;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
@@ -11,21 +11,26 @@ import raytracer.tracer.rays.Samples;
 
 /**
  * Pixels in every tile of a picture that tell how many samples it takes: by how much samples differ there, and by how
- * much few are off, as more of them show. They are of the whole picture, so that a part of it gets the same samples.
+ * much few are off, as four times as many show. They are of the whole picture, so that a part of it gets the same
+ * samples.
  */
 final class Pilots {
 
-    /** Samples of a pilot, first few, then more. */
-    static final int COARSE = 4;
-    static final int FINE = 16;
-
-    /** Of a whole tile: all pilots take as long as .9 samples of each pixel. */
+    /** Of a whole tile. The first round takes as long as so many samples of each pixel. */
     private static final int PER_TILE = 16;
+    private static final double FIRST_ROUND = 0.9;
+
+    /** Samples of a pilot in the first round, before it gets four times as many. */
+    private static final int FEW = 4;
+
+    /** There is a next round if it takes less than this part of what the picture does. */
+    private static final double MAX_PART = 0.1;
+    private static final int MAX_ROUNDS = 3;
 
     /** Of a huge picture, only so many tiles have pilots. */
     private static final int MAX_TILES = 4096;
 
-    /** Of so many tiles that have pilots, one is proved settled. */
+    /** Of so many tiles that have pilots, one tells which part of the picture is settled. */
     private static final int TILES_PER_PROOF = 8;
 
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
@@ -35,10 +40,11 @@ final class Pilots {
     private final Tiles tiles;
     private final int stride;
     private final SampleBudget.Pilot[][] byTile;
-    private final AtomicLong next = new AtomicLong();
-    private final AtomicLong nextProof = new AtomicLong();
+    private final AtomicInteger next = new AtomicInteger();
+    private final AtomicInteger nextProof = new AtomicInteger();
     private final AtomicLong provedPixels = new AtomicLong();
     private final AtomicLong unsettledPixels = new AtomicLong();
+    private int round = -1;
 
     Pilots(Tracer tracer, double error) {
         this.tracer = tracer;
@@ -48,19 +54,34 @@ final class Pilots {
         byTile = new SampleBudget.Pilot[(int) ((tiles.count() + stride - 1) / stride)][];
     }
 
+    /** The first round, or one in which the same pilots get four times as many samples as in the last. */
+    void startRound() {
+        round++;
+        next.set(0);
+    }
+
+    /** Whether the budget takes so long that it is worth while to know more. */
+    boolean areCoarse(SampleBudget budget) {
+        return round + 1 < MAX_ROUNDS && FIRST_ROUND * Math.pow(4, round + 1) / stride < MAX_PART * budget.cost();
+    }
+
+    private int few() {
+        return FEW << 2 * round;
+    }
+
     /** Samples pilots of tiles that no other thread has taken. */
     RayCounts sample() {
         TileTracer mine = tracer.newTileTracer();
         SampleQueue queue = new SampleQueue(mine);
-        for (int i; (i = (int) next.getAndIncrement()) < byTile.length; ) {
+        for (int i; (i = next.getAndIncrement()) < byTile.length; ) {
             byTile[i] = sample((long) i * stride, queue);
         }
         return mine.counts();
     }
 
     private SampleBudget.Pilot[] sample(long tile, SampleQueue queue) {
-        int count = Math.max(1, PER_TILE * tiles.pixels(tile) / (AdaptiveSampler.TILE_SIDE * AdaptiveSampler.TILE_SIDE));
-        PixelMeans coarse = means(tile, count, COARSE, queue), fine = means(tile, count, FINE, queue);
+        int count = Math.max(1, PER_TILE * tiles.pixels(tile) / AdaptiveSampler.TILE_PIXELS);
+        PixelMeans coarse = means(tile, count, few(), queue), fine = means(tile, count, 4 * few(), queue);
         SampleBudget.Pilot[] pilots = new SampleBudget.Pilot[count];
         Arrays.setAll(pilots, i -> new SampleBudget.Pilot(
                 coarse.variance(i), fine.variance(i), fine.squaredDifference(coarse, i)));
@@ -84,7 +105,7 @@ final class Pilots {
     RayCounts prove() {
         TileTracer mine = tracer.newTileTracer();
         Samples corners = new Samples();
-        for (int i; (i = (int) nextProof.getAndAdd(TILES_PER_PROOF)) < byTile.length; ) {
+        for (int i; (i = nextProof.getAndAdd(TILES_PER_PROOF)) < byTile.length; ) {
             long tile = (long) i * stride;
             for (boolean isSettled : mine.traceCorners(
                     tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), error, corners)) {
@@ -97,7 +118,7 @@ final class Pilots {
 
     /** What the picture takes, as far as that is known. */
     SampleBudget budget() {
-        List<SampleBudget.Pilot> all = Arrays.stream(byTile).filter(Objects::nonNull).flatMap(Arrays::stream).toList();
-        return SampleBudget.plan(all, (double) unsettledPixels.get() / Math.max(1, provedPixels.get()), error);
+        List<SampleBudget.Pilot> all = Arrays.stream(byTile).flatMap(Arrays::stream).toList();
+        return SampleBudget.plan(all, few(), (double) unsettledPixels.get() / Math.max(1, provedPixels.get()), error);
     }
 }

@@ -66,8 +66,13 @@ public final class Renderer {
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
         Pilots pilots = new Pilots(tracer, error);
-        RayCounts before = onAllThreads(pool, pilots::sample);
-        SampleBudget guess = pilots.budget();
+        RayCounts before = RayCounts.ZERO;
+        SampleBudget guess;
+        do {
+            pilots.startRound();
+            before = before.plus(onAllThreads(pool, pilots::sample));
+            guess = pilots.budget();
+        } while (pilots.areCoarse(guess));
         if (guess.all() == 0) {
             before = before.plus(onAllThreads(pool, pilots::prove));
         }

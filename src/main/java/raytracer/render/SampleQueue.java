@@ -1,17 +1,25 @@
 package raytracer.render;
 
+import java.util.Map;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.rays.Samples;
 
 /**
  * Samples of a tile's pixels, which are traced as soon as they make a batch. A pixel's samples are a rank-1 lattice: as
  * even as a grid, but in rows of no direction, so that no fence is in step with them (Dammertz and Keller, Image
- * Synthesis by Rank-1 Lattices, 2008; by the golden ratio, which is good for any number of samples). Its middle is the
- * pixel's, so that errors on both sides of a straight edge cancel.
+ * Synthesis by Rank-1 Lattices, 2008; by the golden ratio, which is good for most numbers of samples). Its middle is
+ * the pixel's, so that errors on both sides of a straight edge cancel.
  */
 final class SampleQueue {
 
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
+
+    /**
+     * Numbers of samples for which another step than the golden ratio is better, found by trying all: on random edges
+     * they are off by .71 to .73 times v^1/2 N^-3/4 then, as other numbers are (.69 to .79), and not by .79 to .88.
+     */
+    private static final Map<Integer, Double> STEPS = Map.of(
+            6, .432, 9, .302, 10, .388, 11, .416, 15, .41, 22, .38, 24, .296, 28, .29, 39, .378, 40, .422);
 
     private final TileTracer tracer;
     private final Samples samples = new Samples();
@@ -37,12 +45,17 @@ final class SampleQueue {
         int hash = (column * 0x9E3779B1 ^ row) * 0x85EBCA6B ^ seed;
         double shiftX = seed == 0 ? 0 : (hash >>> 16) / 65536.0;
         double shiftY = seed == 0 ? 0 : ((hash * 0xC2B2AE35) >>> 16) / 65536.0;
+        // Mirrored in half of the pixels, and axes exchanged in half: what is in step with one lattice is not with all.
+        double step = STEPS.getOrDefault(number, GOLDEN) * ((hash >> 20 & 1) == 0 ? 1 : -1);
+        boolean isExchanged = (hash >> 21 & 1) == 0;
         for (int k = 0; k < number; k++) {
             if (samples.count == Samples.CAPACITY) {
                 flush();
             }
-            samples.x[samples.count] = column + fraction(shiftX + (k + 0.5) / number);
-            samples.y[samples.count] = row + fraction(shiftY + 0.5 + (k - (number - 1) / 2.0) * GOLDEN);
+            double even = fraction(shiftX + (k + 0.5) / number);
+            double other = fraction(shiftY + 0.5 + (k - (number - 1) / 2.0) * step);
+            samples.x[samples.count] = column + (isExchanged ? other : even);
+            samples.y[samples.count] = row + (isExchanged ? even : other);
             pixel[samples.count++] = ofPixel;
         }
     }
