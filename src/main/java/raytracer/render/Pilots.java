@@ -25,7 +25,7 @@ final class Pilots {
 
     /** There is a next round if it takes less than this part of what the picture does. */
     private static final double MAX_PART = 0.1;
-    private static final int MAX_ROUNDS = 3;
+    private static final int MAX_ROUNDS = 2;
 
     /** Of a huge picture, only so many tiles have pilots. */
     private static final int MAX_TILES = 4096;
