@@ -172,5 +172,4 @@ public final class Image implements PixelSink {
         }
         return picture.getData(area);
     }
-
 }

@@ -22,17 +22,16 @@ final class AdaptiveSampler implements Sampler {
 
     private final TileTracer tracer;
     private final double error;
-    private final SampleBudget budget;
+    private final SampleBudget.Chosen budget;
     private final Samples corners = new Samples();
     private final SampleQueue queue;
 
     private int left;
     private int top;
     private int columns;
-    private boolean[] settled;
     private PixelMeans means;
 
-    AdaptiveSampler(TileTracer tracer, double error, SampleBudget budget) {
+    AdaptiveSampler(TileTracer tracer, double error, SampleBudget.Chosen budget) {
         this.tracer = tracer;
         this.error = error;
         this.budget = budget;
@@ -41,7 +40,20 @@ final class AdaptiveSampler implements Sampler {
 
     @Override
     public void render(int left, int top, int columns, int rows, PixelSink sink) {
-        sample(left, top, columns, rows, budget.initial());
+        this.left = left;
+        this.top = top;
+        this.columns = columns;
+        means = new PixelMeans(columns * rows);
+        queue.start(means);
+        boolean[] settled = tracer.traceCorners(left, top, columns, rows, error, corners);
+        for (int pixel = 0; pixel < settled.length; pixel++) {
+            if (settled[pixel]) {
+                addCorners(pixel);
+            } else {
+                add(pixel, budget.initial());
+            }
+        }
+        queue.flush();
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (!settled[pixel]) {
                 add(pixel, budget.samples(means.variance(pixel)) - budget.initial());
@@ -51,24 +63,7 @@ final class AdaptiveSampler implements Sampler {
         means.send(left, top, columns, rows, sink);
     }
 
-    /** Takes samples at corners, which are those of settled pixels, and initial ones of all other pixels. */
-    private void sample(int left, int top, int columns, int rows, int initial) {
-        this.left = left;
-        this.top = top;
-        this.columns = columns;
-        means = new PixelMeans(columns * rows);
-        queue.start(means);
-        settled = tracer.traceCorners(left, top, columns, rows, error, corners);
-        for (int pixel = 0; pixel < settled.length; pixel++) {
-            if (settled[pixel]) {
-                addCorners(pixel);
-            } else {
-                add(pixel, initial);
-            }
-        }
-        queue.flush();
-    }
-
+    /** Gives a settled pixel the samples at its corners. */
     private void addCorners(int pixel) {
         int corner = pixel / columns * (columns + 1) + pixel % columns;
         means.add(corners, corner, pixel);

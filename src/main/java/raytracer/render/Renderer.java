@@ -79,7 +79,7 @@ public final class Renderer {
         SampleBudget budget = guess.all() > 0 ? guess : pilots.budget();
         return before.plus(onAllThreads(pool, () -> work(budget.all() > 0
                 ? new LatticeSampler(tracer.newTileTracer(), new Sampling.Lattice(budget.all(), 0))
-                : new AdaptiveSampler(tracer.newTileTracer(), error, budget))));
+                : new AdaptiveSampler(tracer.newTileTracer(), error, budget.chosen()))));
     }
 
     private RayCounts onAllThreads(ExecutorService pool, Callable<RayCounts> work) {

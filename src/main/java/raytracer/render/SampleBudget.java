@@ -12,14 +12,11 @@ import java.util.List;
  * Consequences of Stratified Sampling in Graphics, 1996); where things are thinner than samples are apart, it is 1, as
  * of random samples, whose square is v / N. Which it is shows in how far few samples are off.
  *
- * @param initial so many samples of an unsettled pixel decide how many it gets
- * @param unseen the variance that so many samples do not see, on average
- * @param power  p
- * @param k      an unsettled pixel of variance v gets k (v + unseen)^(1 / (1 + p)) samples, if that is more
+ * @param chosen what pixels get that are not settled
  * @param all    so many samples of every pixel take less time than proofs and those; 0 if they do not
  * @param cost   so many samples of every pixel take as long
  */
-record SampleBudget(int initial, double unseen, double power, double k, int all, double cost) {
+record SampleBudget(Chosen chosen, int all, double cost) {
 
     /** The most samples of a pixel. */
     static final int MAX = 4096;
@@ -75,6 +72,31 @@ record SampleBudget(int initial, double unseen, double power, double k, int all,
     record Pilot(double coarse, double variance, double change) { }
 
     /**
+     * How many samples unsettled pixels get.
+     *
+     * @param initial so many samples of a pixel decide how many it gets
+     * @param unseen  the variance that so many samples do not see, on average
+     * @param power   p
+     * @param k       a pixel of variance v gets k (v + unseen)^(1 / (1 + p)) samples, if that is more: for the fewest in
+     *                all (Lagrange)
+     */
+    record Chosen(int initial, double unseen, double power, double k) {
+
+        int samples(double variance) {
+            return (int) Math.max(initial, Math.min(MAX, Math.round(k * weight(variance))));
+        }
+
+        private double weight(double variance) {
+            return Math.pow(variance + unseen, 1 / (1 + power));
+        }
+
+        /** The sum of v / N^power. */
+        private double squares(double[] variances) {
+            return Arrays.stream(variances).map(v -> (v + unseen) * Math.pow(samples(v), -power)).sum();
+        }
+    }
+
+    /**
      * @param pilots    some of the picture's pixels
      * @param few       how many samples their coarse variances are of
      * @param unsettled which part of its pixels is unsettled; 0 if that is not known yet: then as few samples are given
@@ -94,12 +116,12 @@ record SampleBudget(int initial, double unseen, double power, double k, int all,
         int initial = (int) Math.max(MIN_INITIAL, Math.min(MAX_INITIAL, Math.ceil(INITIAL * Math.pow(all, 0.75))));
         double[] unsettledVariances = unsettled(pilots, unsettled);
         double unseen = unsettled == 0 ? 0 : unseen(pilots, few, unsettledVariances.length, initial);
-        SampleBudget chosen = choose(unsettledVariances, new SampleBudget(initial, unseen, power, 0, 0, 0),
+        Chosen chosen = choose(unsettledVariances, initial, unseen, power,
                 square * variances / (CHOICE_CAUTION * CHOICE_CAUTION * ofFew * Math.pow(few, power)));
         double samples = AdaptiveSampler.FIRST_SAMPLES
                 + Arrays.stream(unsettledVariances).map(chosen::samples).sum() / pilots.size();
         double cost = PROOF + SCATTER * samples;
-        return new SampleBudget(initial, unseen, power, chosen.k, cost < same ? 0 : same, Math.min(cost, same));
+        return new SampleBudget(chosen, cost < same ? 0 : same, Math.min(cost, same));
     }
 
     /**
@@ -140,37 +162,16 @@ record SampleBudget(int initial, double unseen, double power, double k, int all,
     }
 
     /** @param square the greatest sum of v / N^power */
-    private static SampleBudget choose(double[] variances, SampleBudget with, double square) {
-        double[] weights = Arrays.stream(variances).map(with::weight).toArray();
+    private static Chosen choose(double[] variances, int initial, double unseen, double power, double square) {
         double low = 0, high = MAX / Math.pow(INVISIBLE, 0.5);
         for (int i = 0; i < BISECTIONS; i++) {
             double k = (low + high) / 2;
-            SampleBudget budget = new SampleBudget(with.initial, with.unseen, with.power, k, 0, 0);
-            if (budget.squares(weights) > square) {
+            if (new Chosen(initial, unseen, power, k).squares(variances) > square) {
                 low = k;
             } else {
                 high = k;
             }
         }
-        return new SampleBudget(with.initial, with.unseen, with.power, high, 0, 0);
-    }
-
-    /** The sum of v / N^power. */
-    private double squares(double[] weights) {
-        return Arrays.stream(weights).map(w -> w * Math.pow(w / samplesOf(w), power)).sum();
-    }
-
-    /** What the number of samples is in proportion to, for the fewest in all (Lagrange). */
-    private double weight(double variance) {
-        return Math.pow(variance + unseen, 1 / (1 + power));
-    }
-
-    /** Of an unsettled pixel of this variance. */
-    int samples(double variance) {
-        return samplesOf(weight(variance));
-    }
-
-    private int samplesOf(double weight) {
-        return (int) Math.max(initial, Math.min(MAX, Math.round(k * weight)));
+        return new Chosen(initial, unseen, power, high);
     }
 }

@@ -67,7 +67,8 @@ class SampleBudgetTest {
     @Test
     void isInProportionToTheVarianceWhereFewSamplesAreOffAsRandomOnesAre() {
         // Error^2 = v / N, but for the caution, and as means of 4 and 16 differ by 1/4 + 1/16, not by 1/8 + 1/64.
-        List<SampleBudget.Pilot> hairs = Collections.nCopies(10_000, new SampleBudget.Pilot(.1, .1, .1 * (1 / 4.0 + 1 / 16.0)));
+        List<SampleBudget.Pilot> hairs = Collections.nCopies(10_000,
+                new SampleBudget.Pilot(.1, .1, .1 * (1 / 4.0 + 1 / 16.0)));
         assertEquals(CAUTION2 * .1 / 1e-4 * 1.02 * 1.25 / 1.125, plan(hairs, 1, .01).all(), 2);
     }
 
@@ -83,8 +84,8 @@ class SampleBudgetTest {
         // One pixel in 50: C^2 v / (50 N^1.5) = error^2; twice the standard error of 2,500 adds 4 %.
         SampleBudget budget = plan(oneIn(50, 2500, .1), .02, .0015);
         assertEquals(0, budget.all());
-        assertEquals(samples(CHOICE_CAUTION2 * C2, .1 / 50, 2.25e-6 / 1.04), budget.samples(.1), 1, budget.toString());
-        assertEquals(budget.initial(), budget.samples(0));
+        assertEquals(samples(CHOICE_CAUTION2 * C2, .1 / 50, 2.25e-6 / 1.04), budget.chosen().samples(.1), 1, budget.toString());
+        assertEquals(budget.chosen().initial(), budget.chosen().samples(0));
     }
 
     @Test
@@ -98,7 +99,7 @@ class SampleBudgetTest {
         List<SampleBudget.Pilot> pilots = new ArrayList<>(oneIn(50, 50, .1));
         pilots.addAll(pilots(50, .1 / 32));
         SampleBudget budget = plan(pilots, 0, .0003);
-        assertEquals(budget.samples(.1), 4 * budget.samples(.1 / 32), 4, budget.toString());
+        assertEquals(budget.chosen().samples(.1), 4 * budget.chosen().samples(.1 / 32), 4, budget.toString());
     }
 
     @Test
@@ -106,8 +107,8 @@ class SampleBudgetTest {
         List<SampleBudget.Pilot> seen = oneIn(20, 50, .1), overlooked = new ArrayList<>(pilots(50, 0, .1));
         overlooked.addAll(pilots(950, 0));
         SampleBudget a = plan(seen, .1, .01), b = plan(overlooked, .1, .01);
-        assertEquals(0, a.unseen());
-        assertTrue(b.samples(0) > a.samples(0), a + " " + b);
+        assertEquals(0, a.chosen().unseen());
+        assertTrue(b.chosen().samples(0) > a.chosen().samples(0), a + " " + b);
     }
 
     @Test
@@ -123,7 +124,7 @@ class SampleBudgetTest {
     void isMoreWhereLittleIsKnown() {
         SampleBudget many = plan(oneIn(50, 2500, .1), 0, .0015);
         SampleBudget few = plan(oneIn(50, 4, .1), 0, .0015);
-        assertTrue(few.samples(.1) > 1.2 * many.samples(.1), few + " " + many);
+        assertTrue(few.chosen().samples(.1) > 1.2 * many.chosen().samples(.1), few + " " + many);
     }
 
     @Test
@@ -135,6 +136,6 @@ class SampleBudgetTest {
 
     @Test
     void neverGivesMoreThanTheMost() {
-        assertTrue(plan(pilots(10, 1), 1, 1e-4).samples(1) <= SampleBudget.MAX);
+        assertTrue(plan(pilots(10, 1), 1, 1e-4).chosen().samples(1) <= SampleBudget.MAX);
     }
 }

@@ -5,10 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -147,6 +151,35 @@ class SamplingTest {
         RayCounts[] counts = new RayCounts[1];
         render(scene, new Sampling.Adaptive(.0039), counts);
         assertTrue(counts[0].primary() < 1.9 * 640 * 480, counts[0].primary() + " rays");
+    }
+
+    @Test
+    void areMirroredAndTheirAxesExchangedInSomePixels() throws Exception {
+        // Six samples of a pixel: four in two of its quarters and two in the others, or the other way round.
+        assertEquals(Set.of(2L, 4L), samplesThatMeet("0 0 .5 .5", "0.5 0.5 1 1"));
+        // One of them at its left edge if they are in even columns, none if they are in even rows.
+        assertEquals(Set.of(0L, 1L), samplesThatMeet("0 0 .12 1"));
+    }
+
+    /** How many of six samples are in these parts of a pixel, given by left, top, right and bottom, for 256 pixels. */
+    private static Set<Long> samplesThatMeet(String... parts) throws Exception {
+        StringBuilder scene = new StringBuilder("size 16 16\ncamera 0 0 8 0 0 0 0 1 0 90\nambient .9 .9 .9\nmaxverts "
+                + 1024 * parts.length + "\n");
+        StringBuilder triangles = new StringBuilder();
+        int first = 0;
+        for (String part : parts) {
+            double[] p = Arrays.stream(part.split(" ")).mapToDouble(Double::parseDouble).toArray();
+            for (int pixel = 0; pixel < 256; pixel++, first += 4) {
+                double x = pixel % 16 - 8, y = 8 - pixel / 16;
+                scene.append(String.format(Locale.ROOT,
+                        "vertex %1$f %2$f 0\nvertex %1$f %4$f 0\nvertex %3$f %4$f 0\nvertex %3$f %2$f 0\n",
+                        x + p[0], y - p[1], x + p[2], y - p[3]));
+                triangles.append(String.format("tri %d %d %d\ntri %1$d %3$d %d\n", first, first + 1, first + 2, first + 3));
+            }
+        }
+        Canvas canvas = render(Scenes.parse(scene.append(triangles).toString()).scene(), new Sampling.Lattice(6, 0));
+        return IntStream.range(0, 256).mapToObj(pixel -> Math.round(canvas.value(pixel % 16, pixel / 16, 0) / .9 * 6))
+                .collect(Collectors.toSet());
     }
 
     private static String slats(double width) {
