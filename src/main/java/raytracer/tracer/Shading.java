@@ -43,7 +43,7 @@ final class Shading {
         shadows = new ShadowRays(rays);
         anyHit = new Search[surfaces.size()];
         for (int kind = 0; kind < anyHit.length; kind++) {
-            anyHit[kind] = AnyHit.among(surfaces.get(kind), rays, shadows, space);
+            anyHit[kind] = new AnyHit(surfaces.get(kind), rays, shadows, space);
         }
     }
 

@@ -73,7 +73,7 @@ public final class TileTracer {
         this.pinhole = pinhole;
         closestHit = new Search[surfaces.size()];
         for (int kind = 0; kind < closestHit.length; kind++) {
-            closestHit[kind] = ClosestHit.among(surfaces.get(kind), rays, space);
+            closestHit[kind] = new ClosestHit(surfaces.get(kind), rays, space);
         }
         shading = new Shading(surfaces, lights, rays, space);
         cells = new SettledCells(surfaces, rays, space);

@@ -9,7 +9,6 @@ import raytracer.scene.Scene;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
@@ -81,8 +80,7 @@ public final class Tracer {
 
     /** What was built; nothing for kinds of surfaces that the scene does not have. */
     public List<TreeFacts> trees() {
-        return surfaces.stream().filter(kind -> kind instanceof BoundedSurfaces)
-                .map(kind -> ((BoundedSurfaces) kind).facts()).toList();
+        return surfaces.stream().map(Surfaces::facts).toList();
     }
 
     /** What follows single rays and says what they find. */

@@ -55,8 +55,8 @@ class ContactStabilityTest {
             Probe.Meeting m = probe.shoot(new Vector(1e-6 * random.nextDouble(), -1, 1e-6 * random.nextDouble()),
                     new Vector(0, 1, 0));
             assertEquals(0, m.shape());
-            Vector lamp = new Vector(random.nextDouble(), 1 + random.nextDouble(), random.nextDouble());
-            leaks += probe.seesPoint(lamp) ? 1 : 0;
+            Vector light = new Vector(random.nextDouble(), 1 + random.nextDouble(), random.nextDouble());
+            leaks += probe.seesPoint(light) ? 1 : 0;
         }
         assertEquals(0, leaks);
     }
@@ -122,15 +122,15 @@ class ContactStabilityTest {
             // A plane in any direction, and a light on it as well as doubles can place it; a ball that faces the plane.
             Vector n = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
             Vector along = n.cross(new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())).unit();
-            Vector q = new Vector(1, 2, 3), lamp = Naive.point(q, along, random.nextDouble());
-            Vector ball = Naive.point(lamp, n, 5), eye = Naive.point(ball, n, -3);
+            Vector q = new Vector(1, 2, 3), light = Naive.point(q, along, random.nextDouble());
+            Vector ball = Naive.point(light, n, 5), eye = Naive.point(ball, n, -3);
             Probe probe = new Probe("plane 1 2 3 " + n.x() + " " + n.y() + " " + n.z() + "\nsphere " + ball.x() + " " + ball.y()
                     + " " + ball.z() + " 1");
             Probe.Meeting m = probe.shoot(eye, ball.minus(eye));
             assertTrue(m.shape() == 1, "the ball is seen");
             tried++;
-            dark += probe.seesPoint(lamp) ? 0 : 1;
-            Vector way = lamp.minus(m.point());
+            dark += probe.seesPoint(light) ? 0 : 1;
+            Vector way = light.minus(m.point());
             double t = Naive.plane(m.point(), way.unit(), q, n, 1e-9);
             naive += t < way.length() ? 1 : 0;
         }
@@ -147,13 +147,13 @@ class ContactStabilityTest {
             Vector u = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
             Vector v = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
             Vector b = Naive.point(a, u, 1), c = Naive.point(a, v, 1);
-            Vector lamp = Naive.point(Naive.point(a, u, .1 + .3 * random.nextDouble()), v, .1 + .3 * random.nextDouble());
-            Vector ball = Naive.point(lamp, u.cross(v).unit(), 5), eye = Naive.point(ball, u.cross(v).unit(), -3);
+            Vector light = Naive.point(Naive.point(a, u, .1 + .3 * random.nextDouble()), v, .1 + .3 * random.nextDouble());
+            Vector ball = Naive.point(light, u.cross(v).unit(), 5), eye = Naive.point(ball, u.cross(v).unit(), -3);
             Probe probe = new Probe("sphere " + ball.x() + " " + ball.y() + " " + ball.z() + " 1\nmaxverts 3\nvertex "
                     + a.x() + " " + a.y() + " " + a.z() + "\nvertex " + b.x() + " " + b.y() + " " + b.z() + "\nvertex "
                     + c.x() + " " + c.y() + " " + c.z() + "\ntri 0 1 2\n");
             assertTrue(probe.shoot(eye, ball.minus(eye)).shape() == 0);
-            assertTrue(probe.seesPoint(lamp), "case " + i);
+            assertTrue(probe.seesPoint(light), "case " + i);
         }
     }
 }

@@ -7,7 +7,7 @@ import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Surfaces;
 
 /**
  * The tracer's own kernels for benchmarks: each of many rays against one sphere or triangle of its own, without a tree
@@ -15,9 +15,9 @@ import raytracer.tracer.surface.BoundedSurfaces;
  */
 public final class KernelAccess {
 
-    private final BoundedSurfaces surfaces;
+    private final Surfaces surfaces;
     private final Rays[] tiles;
-    private final int[][] slots;
+    private final int[][] numbers;
 
     /**
      * @param shapes  commands that declare spheres or triangles, all of one kind
@@ -27,21 +27,21 @@ public final class KernelAccess {
     public KernelAccess(String shapes, Vector[] origin, Vector[] direction, int[] targets) throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
-        surfaces = (BoundedSurfaces) compiler.surfaces().get(0);
-        int[] slotOf = new int[compiler.table().declared().length];
-        for (int slot = 0; slot < slotOf.length; slot++) {
-            slotOf[compiler.table().declared()[slot]] = slot;
+        surfaces = compiler.surfaces().get(0);
+        int[] numberOf = new int[compiler.table().declared().length];
+        for (int surface = 0; surface < numberOf.length; surface++) {
+            numberOf[compiler.table().declared()[surface]] = surface;
         }
         int count = (origin.length + Batch.CAPACITY - 1) / Batch.CAPACITY;
         tiles = new Rays[count];
-        slots = new int[count][Batch.CAPACITY];
+        numbers = new int[count][Batch.CAPACITY];
         for (int i = 0; i < origin.length; i++) {
             int tile = i / Batch.CAPACITY, ray = i % Batch.CAPACITY;
             if (ray == 0) {
                 tiles[tile] = new Rays();
             }
             load(tiles[tile], ray, origin[i], direction[i]);
-            slots[tile][ray] = slotOf[targets[i]];
+            numbers[tile][ray] = numberOf[targets[i]];
         }
     }
 
@@ -64,7 +64,7 @@ public final class KernelAccess {
             Rays rays = tiles[tile];
             rays.clearHits();
             for (int i = 0; i < rays.count; i++) {
-                surfaces.intersect(rays, i, slots[tile][i]);
+                surfaces.intersect(rays, i, numbers[tile][i]);
             }
             sum += rays.distance[0];
         }

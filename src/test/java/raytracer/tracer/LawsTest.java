@@ -24,7 +24,6 @@ import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
-import raytracer.tracer.bvh.TreeSpace;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.ClosestHit;
@@ -143,9 +142,8 @@ class LawsTest {
         Bvh tree = BvhBuilder.build(500, Spheres.bounds(spheres), Bvh.LEAF_SIZE, ForkJoinPool.commonPool());
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
-        Bvh none = new Bvh(tree.order(), 500, new float[0], Bvh.EMPTY, new TreeSpace(0, 0, 0, 1));
         Surfaces with = new Spheres(ordered, 0, tree);
-        Surfaces without = new Spheres(ordered, 0, none);
+        Surfaces without = new Spheres(ordered, 0, Bvh.withoutTree(500));
         int met = 0;
         for (int i = 0; i < 5000; i++) {
             Vector o = new Vector(coordinate(random, 3), coordinate(random, 3), coordinate(random, 3));
@@ -169,7 +167,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        ClosestHit.among(surfaces, rays, new SearchWorkspace()).run(0, rays.count);
+        new ClosestHit(surfaces, rays, new SearchWorkspace()).run(0, rays.count);
         return rays;
     }
 

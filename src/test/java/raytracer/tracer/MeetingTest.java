@@ -26,7 +26,7 @@ class MeetingTest {
         return new Vector(x, y, z);
     }
 
-    private static LightSource lamp(double x, double y, double z) {
+    private static LightSource lightAt(double x, double y, double z) {
         return new LightSource(false, x, y, z, new Colour(1, 1, 1));
     }
 
@@ -187,9 +187,9 @@ class MeetingTest {
         void isBlockedOnlyBetweenPointAndLight() throws Exception {
             for (String blocker : new String[] {"sphere 0 5 0 1", "plane 0 5 0 0 1 0", "maxverts 3\nvertex -9 5 -9\n"
                     + "vertex 9 5 -9\nvertex 0 5 9\ntri 0 1 2\n"}) {
-                assertFalse(onFloor(blocker).sees(lamp(0, 10, 0)), blocker);
-                assertTrue(onFloor(blocker).sees(lamp(0, 3, 0)), blocker);
-                assertTrue(onFloor(blocker).sees(lamp(20, 3, 0)), blocker);
+                assertFalse(onFloor(blocker).sees(lightAt(0, 10, 0)), blocker);
+                assertTrue(onFloor(blocker).sees(lightAt(0, 3, 0)), blocker);
+                assertTrue(onFloor(blocker).sees(lightAt(20, 3, 0)), blocker);
                 assertFalse(onFloor(blocker).sees(new LightSource(true, 0, 1, 0, Colour.BLACK)), blocker);
                 assertTrue(onFloor(blocker).sees(new LightSource(true, 0, -1, 0, Colour.BLACK)), blocker);
             }
@@ -197,26 +197,26 @@ class MeetingTest {
 
         @Test
         void isNotBlockedByTheSurfaceTheLightIsOn() throws Exception {
-            assertTrue(onFloor("sphere 0 6 0 1").sees(lamp(0, 5, 0)));
-            assertFalse(onFloor("sphere 0 6 0 1").sees(lamp(0, 7, 0)));
-            assertTrue(onFloor("plane 0 5 0 0 1 0").sees(lamp(0, 5, 0)));
+            assertTrue(onFloor("sphere 0 6 0 1").sees(lightAt(0, 5, 0)));
+            assertFalse(onFloor("sphere 0 6 0 1").sees(lightAt(0, 7, 0)));
+            assertTrue(onFloor("plane 0 5 0 0 1 0").sees(lightAt(0, 5, 0)));
         }
 
         @Test
         void isBlockedByASphereAroundOneEndOnly() throws Exception {
-            assertFalse(onFloor("sphere 0 0 0 2").sees(lamp(0, 5, 0)));
-            assertFalse(onFloor("sphere 0 5 0 2").sees(lamp(0, 5, 0)));
-            assertTrue(onFloor("sphere 0 0 0 9").sees(lamp(0, 5, 0)));
+            assertFalse(onFloor("sphere 0 0 0 2").sees(lightAt(0, 5, 0)));
+            assertFalse(onFloor("sphere 0 5 0 2").sees(lightAt(0, 5, 0)));
+            assertTrue(onFloor("sphere 0 0 0 9").sees(lightAt(0, 5, 0)));
         }
 
         @Test
         void isBlockedByTheOwnSphereOnlyThroughItsInside() throws Exception {
             Probe probe = new Probe("sphere 0 0 0 1");
             probe.shoot(at(0, 0, 5), FORWARD);
-            assertTrue(probe.sees(lamp(0, 0, 9)));
-            assertFalse(probe.sees(lamp(0, 0, -9)));
-            assertTrue(probe.sees(lamp(0, 0, -.5)));
-            assertTrue(probe.sees(lamp(3, 0, 1)));
+            assertTrue(probe.sees(lightAt(0, 0, 9)));
+            assertFalse(probe.sees(lightAt(0, 0, -9)));
+            assertTrue(probe.sees(lightAt(0, 0, -.5)));
+            assertTrue(probe.sees(lightAt(3, 0, 1)));
         }
     }
 }

@@ -22,7 +22,7 @@ public final class Probe {
 
     private static final String HEAD = "size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n";
 
-    private final SurfaceTable slots;
+    private final SurfaceTable table;
     private final List<Surfaces> surfaces;
     private final Rays rays;
     private final Ties ties;
@@ -35,9 +35,9 @@ public final class Probe {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
         SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
         surfaces = compiler.surfaces();
-        slots = compiler.table();
+        table = compiler.table();
         rays = new Rays();
-        ties = new Ties(slots.declared(), surfaces, rays, space.surfaces());
+        ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
     }
 
     /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
@@ -60,12 +60,12 @@ public final class Probe {
     }
 
     /** Whether a light is seen from where the last ray arrived. */
-    boolean sees(LightSource lamp) {
+    boolean sees(LightSource light) {
         ShadowRays shadows = new ShadowRays(rays);
-        shadows.light = lamp;
-        Vector way = new Vector(lamp.x(), lamp.y(), lamp.z());
+        shadows.light = light;
+        Vector way = new Vector(light.x(), light.y(), light.z());
         shadows.distance[0] = Double.POSITIVE_INFINITY;
-        if (!lamp.directional()) {
+        if (!light.directional()) {
             way = way.minus(new Vector(rays.ox[0], rays.oy[0], rays.oz[0]));
             shadows.distance[0] = way.length();
         }
@@ -75,7 +75,7 @@ public final class Probe {
         shadows.dz[0] = unit.z();
         shadows.unoccluded[0] = true;
         shadows.start(0, 1);
-        surfaces.forEach(kind -> AnyHit.among(kind, rays, shadows, space).run(0, 1));
+        surfaces.forEach(kind -> new AnyHit(kind, rays, shadows, space).run(0, 1));
         return shadows.unoccluded[0];
     }
 
@@ -102,15 +102,15 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> ClosestHit.among(kind, rays, space).run(0, rays.count));
+        surfaces.forEach(kind -> new ClosestHit(kind, rays, space).run(0, rays.count));
         ties.settle();
-        int slot = rays.hit[0];
-        if (slot == Rays.NONE) {
+        int surface = rays.hit[0];
+        if (surface == Rays.NONE) {
             return null;
         }
-        surfaces.stream().filter(kind -> kind.owns(slot))
+        surfaces.stream().filter(kind -> kind.owns(surface))
                 .forEach(kind -> kind.moveToHits(rays, 0, 1, space.surfaces()));
-        return new Meeting(slots.declared()[slot], rays.distance[0],
+        return new Meeting(table.declared()[surface], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }
 }

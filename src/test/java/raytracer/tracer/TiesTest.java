@@ -24,7 +24,6 @@ import raytracer.stability.NearTies;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Samples;
-import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
@@ -40,26 +39,26 @@ class TiesTest {
     private static final class Searched {
         private final Pinhole pinhole;
         private final List<Surfaces> surfaces;
-        private final SurfaceTable slots;
-        private final List<LightSource> lamps = new ArrayList<>();
+        private final SurfaceTable table;
+        private final List<LightSource> lights = new ArrayList<>();
         private final int maxDepth;
 
         Searched(String text) throws Exception {
             Scene scene = Scenes.parse(text).scene();
             pinhole = new Pinhole(scene);
             for (Light light : scene.lights()) {
-                lamps.add(LightSource.of(light));
+                lights.add(LightSource.of(light));
             }
             SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
             surfaces = compiler.surfaces();
-            slots = compiler.table();
+            table = compiler.table();
             maxDepth = scene.maxDepth();
         }
 
         /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
+            TileTracer tracer = new TileTracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong());
             Samples samples = new Samples();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
@@ -78,7 +77,7 @@ class TiesTest {
             double[] red = new double[WIDTH * HEIGHT];
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
-            TileTracer tracer = new TileTracer(pinhole, surfaces, slots, lamps, maxDepth, new AtomicLong());
+            TileTracer tracer = new TileTracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong());
             Samples samples = new Samples();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));

@@ -48,6 +48,20 @@ public record Bvh(int[] order, int oversized, float[] nodes, int root, TreeSpace
      */
     public static final float PADDING = 18 * 0x1p-24f;
 
+    /** So many primitives that are all oversized. */
+    public static Bvh withoutTree(int count) {
+        return new Bvh(numbers(count), count, new float[0], EMPTY, new TreeSpace(0, 0, 0, 1));
+    }
+
+    /** From 0 on. */
+    static int[] numbers(int count) {
+        int[] numbers = new int[count];
+        for (int i = 0; i < count; i++) {
+            numbers[i] = i;
+        }
+        return numbers;
+    }
+
     /**
      * A leaf of primitives {@code first} to {@code first + count - 1} in {@link #order}; negative. Never the bits of
      * a NaN: a copy of a float may change those.

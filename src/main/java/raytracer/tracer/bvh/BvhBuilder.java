@@ -38,10 +38,7 @@ public final class BvhBuilder {
 
     /** @param leafSize the most primitives in a leaf, at most {@link Bvh#LEAF_SIZE} */
     public static Bvh build(int count, Bounds bounds, int leafSize, ForkJoinPool pool) {
-        int[] order = new int[count];
-        for (int i = 0; i < count; i++) {
-            order[i] = i;
-        }
+        int[] order = Bvh.numbers(count);
         Extent extent = Extent.of(order, 0, bounds, pool);
         int oversized = 0;
         // Without the widest the others may have a much smaller box, in which some are the widest again.
@@ -50,7 +47,7 @@ public final class BvhBuilder {
             extent = Extent.of(order, oversized, bounds, pool);
         }
         if (oversized == count) {
-            return new Bvh(order, oversized, new float[0], Bvh.EMPTY, new TreeSpace(0, 0, 0, 1));
+            return Bvh.withoutTree(count);
         }
         TreeSpace space = new TreeSpace(extent.middle(0), extent.middle(1), extent.middle(2), scale(extent.width()));
         float[] boxes = new float[6 * (count - oversized)];

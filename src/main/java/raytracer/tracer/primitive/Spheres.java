@@ -8,9 +8,10 @@ import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
 /**
@@ -18,7 +19,7 @@ import raytracer.tracer.surface.Workspace;
  * distance (Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems,
  * 2019, chapter 7); where it does, by the power of the origin, which loses none to size ({@link PowerOfPoint}).
  */
-public final class Spheres extends BoundedSurfaces {
+public final class Spheres extends Surfaces {
 
     /** Of the tree: a ray tries a box much faster than a sphere. */
     public static final int LEAF_SIZE = 1;
@@ -35,16 +36,6 @@ public final class Spheres extends BoundedSurfaces {
 
     public static Bounds bounds(List<Shape.Sphere> spheres) {
         return SphereArray.bounds(spheres);
-    }
-
-    @Override
-    public Vector corner(int k, int corner) {
-        return new Vector(data.x(k), data.y(k), data.z(k));
-    }
-
-    @Override
-    public double radius(int k) {
-        return data.radius(k);
     }
 
     @Override
@@ -199,6 +190,11 @@ public final class Spheres extends BoundedSurfaces {
         double power = square - r * r;
         return Math.abs(power) <= bound + Rounding.plainPower(square, r)
                 ? PowerOfPoint.of(px, py, pz, cx, cy, cz, r) : power;
+    }
+
+    @Override
+    public boolean mayShowWithin(RayBundle bundle, int k) {
+        return !bundle.isClearOfSphere(new Vector(data.x(k), data.y(k), data.z(k)), data.radius(k));
     }
 
     @Override

@@ -9,9 +9,10 @@ import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.ParallelRange;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
 /**
@@ -23,7 +24,7 @@ import raytracer.tracer.surface.Workspace;
  * contradict one another so that no triangle is left; therefore a ray that rounding cannot tell from an edge is on it,
  * and hits both sides. A triangle without area has a normal of NaNs, by which every comparison fails: none hits it.
  */
-public final class Triangles extends BoundedSurfaces {
+public final class Triangles extends Surfaces {
 
     public static final int LEAF_SIZE = Bvh.LEAF_SIZE;
 
@@ -51,17 +52,6 @@ public final class Triangles extends BoundedSurfaces {
 
     public static Bounds bounds(Mesh mesh) {
         return TriangleArray.bounds(mesh);
-    }
-
-    @Override
-    public Vector corner(int k, int corner) {
-        return data.corner(k, corner);
-    }
-
-    /** None: a triangle bounds itself. */
-    @Override
-    public double radius(int k) {
-        return 0;
     }
 
     @Override
@@ -231,6 +221,11 @@ public final class Triangles extends BoundedSurfaces {
         double lightOffset = x * data.nx(k) + y * data.ny(k) + z * data.nz(k);
         double bound = Rounding.planeOffset(light.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lightOffset < -bound : lightOffset > bound;
+    }
+
+    @Override
+    public boolean mayShowWithin(RayBundle bundle, int k) {
+        return !bundle.isClearOfTriangle(data.corner(k, 0), data.corner(k, 1), data.corner(k, 2));
     }
 
     @Override

@@ -1,7 +1,6 @@
 package raytracer.tracer.rays;
 
 import raytracer.scene.Vector;
-import raytracer.tracer.arithmetic.Vectors;
 
 /**
  * All rays through a part of the picture, or from a part of a surface to a light: four of them are its corners, and a
@@ -24,14 +23,7 @@ public final class RayBundle {
      */
     private static final double ON_PLANE = 0x1p-36;
 
-    // By axis.
-    public final double[] minOrigin = new double[3];
-    public final double[] maxOrigin = new double[3];
-    public final double[] minDirection = new double[3];
-    public final double[] maxDirection = new double[3];
-
-    /** What is farther away does not matter. */
-    public double maxDistance;
+    private final RayIntervals intervals = new RayIntervals();
 
     private final Vector[] origin = new Vector[CORNERS];
     private final Vector[] direction = new Vector[CORNERS];
@@ -45,36 +37,9 @@ public final class RayBundle {
     private double apexRadius;
     private double halfAngle;
 
-    /** Makes the bundle empty. */
-    public void clear() {
-        for (int side = 0; side < 3; side++) {
-            minOrigin[side] = minDirection[side] = Double.POSITIVE_INFINITY;
-            maxOrigin[side] = maxDirection[side] = Double.NEGATIVE_INFINITY;
-        }
-        maxDistance = 0;
-    }
-
-    /** Lets rays, from one index to another, be some of the bundle. */
-    public void include(Vectors origins, Vectors directions, double[] distances, int from, int to) {
-        span(origins.x(), from, to, minOrigin, maxOrigin, 0);
-        span(origins.y(), from, to, minOrigin, maxOrigin, 1);
-        span(origins.z(), from, to, minOrigin, maxOrigin, 2);
-        span(directions.x(), from, to, minDirection, maxDirection, 0);
-        span(directions.y(), from, to, minDirection, maxDirection, 1);
-        span(directions.z(), from, to, minDirection, maxDirection, 2);
-        for (int i = from; i < to; i++) {
-            maxDistance = Math.max(maxDistance, distances[i]);
-        }
-    }
-
-    private static void span(double[] values, int from, int to, double[] min, double[] max, int side) {
-        double low = min[side], high = max[side];
-        for (int i = from; i < to; i++) {
-            low = Math.min(low, values[i]);
-            high = Math.max(high, values[i]);
-        }
-        min[side] = low;
-        max[side] = high;
+    /** Where its rays are; whoever adds rays to an empty bundle includes them here. */
+    public RayIntervals intervals() {
+        return intervals;
     }
 
     /**
@@ -94,19 +59,14 @@ public final class RayBundle {
         }
     }
 
-    /** Finds the hull of all rays that were included; the corners must have been set. */
+    /** Widens the intervals and finds the cone; the corners must have been set, and all rays included. */
     public void close() {
-        double[] middle = new double[3];
-        double square = 0;
-        for (int side = 0; side < 3; side++) {
-            widen(minOrigin, maxOrigin, side);
-            widen(minDirection, maxDirection, side);
-            middle[side] = (minOrigin[side] + maxOrigin[side]) / 2;
-            square += (maxOrigin[side] - minOrigin[side]) * (maxOrigin[side] - minOrigin[side]) / 4;
-        }
-        maxDistance *= 1 + MARGIN;
-        apex = new Vector(middle[0], middle[1], middle[2]);
-        apexRadius = Math.sqrt(square);
+        widen(intervals.minOrigin, intervals.maxOrigin);
+        widen(intervals.minDirection, intervals.maxDirection);
+        intervals.maxDistance *= 1 + MARGIN;
+        Vector low = vector(intervals.minOrigin), high = vector(intervals.maxOrigin);
+        apex = low.minus(low.minus(high).times(0.5));
+        apexRadius = high.minus(low).length() / 2;
         axis = new Vector(0, 0, 0);
         for (Vector d : direction) {
             axis = axis.minus(d.times(-1));
@@ -119,21 +79,33 @@ public final class RayBundle {
         halfAngle = (1 + MARGIN) * Math.acos(cosine);
     }
 
-    private static void widen(double[] min, double[] max, int side) {
-        double margin = MARGIN * (max[side] - min[side]);
-        min[side] -= margin;
-        max[side] += margin;
+    private static void widen(double[] min, double[] max) {
+        for (int side = 0; side < 3; side++) {
+            double margin = MARGIN * (max[side] - min[side]);
+            min[side] -= margin;
+            max[side] += margin;
+        }
     }
 
-    /**
-     * Whether it is certain that no ray hits the points within a radius of a triangle, or only behind its own
-     * surface.
-     */
-    public boolean isClearOf(Vector a, Vector b, Vector c, double radius) {
-        return isBehind(a, radius) && isBehind(b, radius) && isBehind(c, radius)
-                || (radius > 0 ? isClearOfSphere(a, radius) : isClearOfTriangle(a, b, c));
+    private static Vector vector(double[] v) {
+        return new Vector(v[0], v[1], v[2]);
     }
 
+    /** Whether it is certain that no ray hits a sphere, or only behind its own surface. */
+    public boolean isClearOfSphere(Vector centre, double radius) {
+        Vector way = centre.minus(apex);
+        double distance = way.length(), reach = radius + apexRadius;
+        return isBehind(centre, radius) || distance > reach
+                && Math.acos(axis.dot(way) / distance) - Math.asin(reach / distance) > halfAngle;
+    }
+
+    /** Whether it is certain that no ray hits a triangle, or only behind its own surface. */
+    public boolean isClearOfTriangle(Vector a, Vector b, Vector c) {
+        return isBehind(a, 0) && isBehind(b, 0) && isBehind(c, 0)
+                || isOutside(a, b, c) || isOutside(b, c, a) || isOutside(c, a, b);
+    }
+
+    /** Whether all points within a radius of this one are. */
     private boolean isBehind(Vector v, double radius) {
         for (int corner = 0; corner < CORNERS; corner++) {
             if (point[corner] == null) {
@@ -145,18 +117,6 @@ public final class RayBundle {
             }
         }
         return true;
-    }
-
-    private boolean isClearOfSphere(Vector centre, double radius) {
-        Vector way = centre.minus(apex);
-        double distance = way.length(), reach = radius + apexRadius;
-        return distance > reach
-                && Math.acos(axis.dot(way) / distance) - Math.asin(reach / distance) > halfAngle;
-    }
-
-    /** Whether all corner rays pass by the triangle outside of the same edge. */
-    private boolean isClearOfTriangle(Vector a, Vector b, Vector c) {
-        return isOutside(a, b, c) || isOutside(b, c, a) || isOutside(c, a, b);
     }
 
     /** Whether all corner rays pass the edge from a to b of a triangle on its outside. */

@@ -3,10 +3,8 @@ package raytracer.tracer.search;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
-import raytracer.tracer.surface.UnboundedSurfaces;
 
 /**
  * Occludes the shadow rays that surfaces of one kind block. Before it walks the tree, a ray tries the surface that last
@@ -19,21 +17,14 @@ public final class AnyHit extends TreeSearch {
     /** The surface that last blocked a ray; negative if none has. */
     private int lastBlocker = -1;
 
-    /** What occludes every shadow ray that a surface of one kind blocks between its ends. */
-    public static Search among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
-        return kind instanceof BoundedSurfaces bounded
-                ? new AnyHit(bounded, rays, shadows, space)
-                : (from, to) -> ((UnboundedSurfaces) kind).block(rays, shadows, from, to);
-    }
-
-    private AnyHit(BoundedSurfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+    public AnyHit(Surfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         super(surfaces, rays, shadows.direction, space);
         this.shadows = shadows;
     }
 
     @Override
-    void encloseInBeam(int from, int to) {
-        space.beam().enclose(rays, shadows.light, from, to);
+    void enclose(int from, int to) {
+        space.intervals().enclose(rays, shadows.light, from, to);
     }
 
     @Override

@@ -3,9 +3,8 @@ package raytracer.tracer.search;
 import java.util.Arrays;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.RayBundle;
-import raytracer.tracer.rays.Rays;
+import raytracer.tracer.bvh.TreeSpace;
+import raytracer.tracer.rays.RayIntervals;
 
 /**
  * All rays of a tile at once: the intervals in which their origins and directions lie. One walk of a {@link Bvh} finds
@@ -21,11 +20,7 @@ public final class Beam {
     /** The most nodes to visit: what a few rays' own walks would. */
     private static final int MAX_NODES = 96;
 
-    // By axis: the intervals of origins and directions, which may be longer than 1.
-    private final double[] minOrigin = new double[3];
-    private final double[] maxOrigin = new double[3];
-    private final double[] minDirection = new double[3];
-    private final double[] maxDirection = new double[3];
+    /** How far rays go, in tree space. */
     private double maxDistance;
 
     // By axis along which all rays go the same way, in tree space, mirrored (side is -1) where that is down: where the
@@ -42,89 +37,19 @@ public final class Beam {
     private int entry;
     private int[] stack = new int[64];
 
-    /** Takes in a tile's rays, from one index to another, as far as their distances. */
-    void enclose(Rays rays, int from, int to) {
-        if (rays.leaveEye) {
-            point(rays.ox[from], rays.oy[from], rays.oz[from], minOrigin, maxOrigin);
-        } else {
-            span(rays.ox, rays.oy, rays.oz, from, to, minOrigin, maxOrigin);
-        }
-        span(rays.dx, rays.dy, rays.dz, from, to, minDirection, maxDirection);
-        maxDistance = 0;
-        for (int i = from; i < to; i++) {
-            maxDistance = rays.distance[i] > maxDistance ? rays.distance[i] : maxDistance;
-        }
-    }
-
-    /** Takes in a bundle's rays. */
-    void enclose(RayBundle bundle) {
-        System.arraycopy(bundle.minOrigin, 0, minOrigin, 0, minOrigin.length);
-        System.arraycopy(bundle.maxOrigin, 0, maxOrigin, 0, maxOrigin.length);
-        System.arraycopy(bundle.minDirection, 0, minDirection, 0, minDirection.length);
-        System.arraycopy(bundle.maxDirection, 0, maxDirection, 0, maxDirection.length);
-        maxDistance = bundle.maxDistance;
-    }
-
-    /**
-     * Takes in the ways from where rays have arrived to a light. From a light at a point they are taken backwards, as
-     * the beam that starts as a point is narrower; distances are then in parts of the way.
-     */
-    void enclose(Rays rays, LightSource light, int from, int to) {
-        span(rays.ox, rays.oy, rays.oz, from, to, minOrigin, maxOrigin);
-        if (light.directional()) {
-            point(light.x(), light.y(), light.z(), minDirection, maxDirection);
-            maxDistance = Double.POSITIVE_INFINITY;
-            return;
-        }
-        for (int axis = 0; axis < 3; axis++) {
-            double position = axis == 0 ? light.x() : axis == 1 ? light.y() : light.z();
-            minDirection[axis] = minOrigin[axis] - position;
-            maxDirection[axis] = maxOrigin[axis] - position;
-            minOrigin[axis] = position;
-            maxOrigin[axis] = position;
-        }
-        maxDistance = 1;
-    }
-
-    private static void point(double x, double y, double z, double[] min, double[] max) {
-        min[0] = max[0] = x;
-        min[1] = max[1] = y;
-        min[2] = max[2] = z;
-    }
-
-    private static void span(double[] x, double[] y, double[] z, int from, int to, double[] min, double[] max) {
-        span(x, from, to, min, max, 0);
-        span(y, from, to, min, max, 1);
-        span(z, from, to, min, max, 2);
-    }
-
-    /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray hits nothing. */
-    private static void span(double[] values, int from, int to, double[] min, double[] max, int axis) {
-        double low = Double.POSITIVE_INFINITY, high = Double.NEGATIVE_INFINITY;
-        for (int i = from; i < to; i++) {
-            double v = values[i];
-            low = v < low ? v : low;
-            high = v > high ? v : high;
-        }
-        min[axis] = low;
-        max[axis] = high;
-    }
-
     /**
      * Finds the primitives in the tree that the rays may hit, and where walks may begin; false if they are too many, or the
      * rays too unlike.
      */
-    boolean gather(Bvh bvh) {
+    boolean gather(RayIntervals rays, Bvh bvh) {
         count = 0;
         entry = bvh.root();
         if (bvh.root() == Bvh.EMPTY) {
             return true;
         }
-        toTreeSpace(bvh);
-        if (!isNarrow()) {
+        if (!enclose(rays, bvh.space())) {
             return false;
         }
-        prepare();
         int stacked = 0;
         int visited = 0;
         stack[stacked++] = bvh.root();
@@ -167,41 +92,28 @@ public final class Beam {
         return primitives[i];
     }
 
-    private void toTreeSpace(Bvh bvh) {
-        for (int axis = 0; axis < 3; axis++) {
-            minOrigin[axis] = bvh.space().coordinate(axis, minOrigin[axis]);
-            maxOrigin[axis] = bvh.space().coordinate(axis, maxOrigin[axis]);
-        }
+    /** Whether the rays start near enough, and go the same way along at least one axis. */
+    private boolean enclose(RayIntervals rays, TreeSpace space) {
         // Rounded up by more than hits are compared by; the padding has room for it.
-        maxDistance *= bvh.space().scale() * (1 + 2 * Rounding.TIE_SIEVE);
-    }
-
-    /** Whether the rays go the same way along at least one axis, and start near enough. */
-    private boolean isNarrow() {
-        boolean narrow = false;
+        maxDistance = rays.maxDistance * space.scale() * (1 + 2 * Rounding.TIE_SIEVE);
+        boolean isNarrow = false;
         for (int axis = 0; axis < 3; axis++) {
-            if (!(Math.abs(minOrigin[axis]) < Bvh.FARTHEST && Math.abs(maxOrigin[axis]) < Bvh.FARTHEST)) {
+            double low = space.coordinate(axis, rays.minOrigin[axis]), high = space.coordinate(axis, rays.maxOrigin[axis]);
+            double min = rays.minDirection[axis], max = rays.maxDirection[axis];
+            if (!(Math.abs(low) < Bvh.FARTHEST && Math.abs(high) < Bvh.FARTHEST)) {
                 return false;
             }
-            narrow |= isOneWay(axis);
-        }
-        return narrow;
-    }
-
-    /** Whether all rays go up along an axis, or all down; not so slowly that a reciprocal would overflow. */
-    private boolean isOneWay(int axis) {
-        return minDirection[axis] >= Double.MIN_NORMAL || maxDirection[axis] <= -Double.MIN_NORMAL;
-    }
-
-    private void prepare() {
-        for (int axis = 0; axis < 3; axis++) {
-            boolean up = minDirection[axis] > 0;
+            boolean up = min > 0;
+            // Not so slowly that a reciprocal would overflow.
+            boolean isOneWay = min >= Double.MIN_NORMAL || max <= -Double.MIN_NORMAL;
+            isNarrow |= isOneWay;
             side[axis] = up ? 1 : -1;
-            first[axis] = up ? minOrigin[axis] : -maxOrigin[axis];
-            last[axis] = up ? maxOrigin[axis] : -minOrigin[axis];
-            perMin[axis] = isOneWay(axis) ? 1 / (up ? minDirection[axis] : -maxDirection[axis]) : 0;
-            perMax[axis] = 1 / (up ? maxDirection[axis] : -minDirection[axis]);
+            first[axis] = up ? low : -high;
+            last[axis] = up ? high : -low;
+            perMin[axis] = isOneWay ? 1 / (up ? min : -max) : 0;
+            perMax[axis] = 1 / (up ? max : -min);
         }
+        return isNarrow;
     }
 
     private int push(Bvh bvh, int node, int stacked) {

@@ -2,7 +2,7 @@ package raytracer.tracer.search;
 
 import java.util.function.IntPredicate;
 import raytracer.tracer.rays.RayBundle;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Surfaces;
 
 /** Finds what may be in the way of any ray of a bundle. */
 public final class BundleSearch {
@@ -10,15 +10,15 @@ public final class BundleSearch {
     private BundleSearch() { }
 
     /**
-     * Whether a bundle can hit no surface of a kind but one; false too if they are too many to tell.
+     * Whether within a bundle nothing of a kind shows but one surface and what shows at the bundle's corners; false too
+     * if they are too many to tell.
      *
-     * @param but a surface's index; one of another kind if it can hit none
+     * @param but a surface's index; one of another kind if it can be none
      */
-    public static boolean hitsNone(BoundedSurfaces surfaces, RayBundle bundle, int but, SearchWorkspace space) {
+    public static boolean showsNone(Surfaces surfaces, RayBundle bundle, int but, SearchWorkspace space) {
         Beam beam = space.beam();
-        beam.enclose(bundle);
-        return beam.gather(surfaces.bvh())
-                && !any(surfaces, k -> surfaces.surface(k) != but && !isClear(surfaces, bundle, k), beam);
+        return beam.gather(bundle.intervals(), surfaces.bvh())
+                && !any(surfaces, k -> surfaces.surface(k) != but && surfaces.mayShowWithin(bundle, k), beam);
     }
 
     /**
@@ -26,14 +26,13 @@ public final class BundleSearch {
      *
      * @param blocksAll by number among the surfaces
      */
-    public static boolean anyBlocksAll(BoundedSurfaces surfaces, RayBundle bundle, IntPredicate blocksAll,
+    public static boolean anyBlocksAll(Surfaces surfaces, RayBundle bundle, IntPredicate blocksAll,
             SearchWorkspace space) {
         Beam beam = space.beam();
-        beam.enclose(bundle);
-        return beam.gather(surfaces.bvh()) && any(surfaces, blocksAll, beam);
+        return beam.gather(bundle.intervals(), surfaces.bvh()) && any(surfaces, blocksAll, beam);
     }
 
-    private static boolean any(BoundedSurfaces surfaces, IntPredicate predicate, Beam beam) {
+    private static boolean any(Surfaces surfaces, IntPredicate predicate, Beam beam) {
         for (int k = 0; k < surfaces.bvh().oversized(); k++) {
             if (predicate.test(k)) {
                 return true;
@@ -45,9 +44,5 @@ public final class BundleSearch {
             }
         }
         return false;
-    }
-
-    private static boolean isClear(BoundedSurfaces surfaces, RayBundle bundle, int k) {
-        return bundle.isClearOf(surfaces.corner(k, 0), surfaces.corner(k, 1), surfaces.corner(k, 2), surfaces.radius(k));
     }
 }

@@ -1,27 +1,19 @@
 package raytracer.tracer.search;
 
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
-import raytracer.tracer.surface.UnboundedSurfaces;
 
 /** Records the closest hit of each of a batch's rays with surfaces of one kind. */
 public final class ClosestHit extends TreeSearch {
 
-    public static Search among(Surfaces kind, Rays rays, SearchWorkspace space) {
-        return kind instanceof BoundedSurfaces bounded
-                ? new ClosestHit(bounded, rays, space)
-                : (from, to) -> ((UnboundedSurfaces) kind).intersect(rays, from, to);
-    }
-
-    private ClosestHit(BoundedSurfaces surfaces, Rays rays, SearchWorkspace space) {
+    public ClosestHit(Surfaces surfaces, Rays rays, SearchWorkspace space) {
         super(surfaces, rays, rays.direction, space);
     }
 
     @Override
-    void encloseInBeam(int from, int to) {
-        space.beam().enclose(rays, from, to);
+    void enclose(int from, int to) {
+        space.intervals().enclose(rays, from, to);
     }
 
     @Override

@@ -4,7 +4,7 @@ import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.SieveLine;
 
 /**
@@ -13,7 +13,7 @@ import raytracer.tracer.surface.SieveLine;
  */
 abstract class TreeSearch implements Search {
 
-    final BoundedSurfaces surfaces;
+    final Surfaces surfaces;
     final Bvh bvh;
     final Rays rays;
     final SearchWorkspace space;
@@ -21,7 +21,7 @@ abstract class TreeSearch implements Search {
     private final Vectors direction;
 
     /** @param direction in which to search, from where rays start */
-    TreeSearch(BoundedSurfaces surfaces, Rays rays, Vectors direction, SearchWorkspace space) {
+    TreeSearch(Surfaces surfaces, Rays rays, Vectors direction, SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.direction = direction;
@@ -29,7 +29,8 @@ abstract class TreeSearch implements Search {
         bvh = surfaces.bvh();
     }
 
-    abstract void encloseInBeam(int from, int to);
+    /** Takes in what is searched, in {@link SearchWorkspace#intervals}. */
+    abstract void enclose(int from, int to);
 
     /** Computes what {@link #tryAll} needs to know of rays. */
     abstract void prepare(int from, int to);
@@ -54,8 +55,11 @@ abstract class TreeSearch implements Search {
         if (bvh.oversized() > 0) {
             tryOversized(from, to);
         }
-        encloseInBeam(from, to);
-        if (!space.beam().gather(bvh)) {
+        if (bvh.root() == Bvh.EMPTY) {
+            return;
+        }
+        enclose(from, to);
+        if (!space.beam().gather(space.intervals(), bvh)) {
             walk(from, to);
         } else if (space.beam().count() > 0) {
             tryGathered(from, to);

@@ -12,9 +12,7 @@ import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.BundleSearch;
 import raytracer.tracer.search.SearchWorkspace;
-import raytracer.tracer.surface.BoundedSurfaces;
 import raytracer.tracer.surface.Surfaces;
-import raytracer.tracer.surface.UnboundedSurfaces;
 
 /**
  * Proves of the cells of a grid of samples that there is nothing in them but what their corners show: no other
@@ -93,7 +91,7 @@ public final class SettledCells implements BatchObserver {
         }
         prove((cells, seen) -> {
             enclose(cells, origin, direction, distance, seen);
-            return hitsOnly(seen);
+            return showsOnly(seen);
         });
     }
 
@@ -137,9 +135,9 @@ public final class SettledCells implements BatchObserver {
 
     /** Makes the bundle of all rays through cells, or from them to the light. */
     private void enclose(CornerGrid.Cells cells, Vectors from, Vectors unit, double[] length, int seen) {
-        bundle.clear();
+        bundle.intervals().clear();
         for (int row = cells.top(); row <= cells.bottom(); row++) {
-            bundle.include(from, unit, length, grid.corner(cells.left(), row), grid.corner(cells.right(), row) + 1);
+            bundle.intervals().include(from, unit, length, grid.corner(cells.left(), row), grid.corner(cells.right(), row) + 1);
         }
         int[] outermost = grid.outermost(cells);
         for (int corner = 0; corner < outermost.length; corner++) {
@@ -149,14 +147,8 @@ public final class SettledCells implements BatchObserver {
         bundle.close();
     }
 
-    /** An unbounded surface need not be looked for: what shows of one, a corner shows too. */
-    private boolean hitsOnly(int seen) {
-        for (Surfaces kind : surfaces) {
-            if (kind instanceof BoundedSurfaces bounded && !BundleSearch.hitsNone(bounded, bundle, seen, space)) {
-                return false;
-            }
-        }
-        return true;
+    private boolean showsOnly(int seen) {
+        return surfaces.stream().allMatch(kind -> BundleSearch.showsNone(kind, bundle, seen, space));
     }
 
     /** Takes note of which shadow rays matter. */
@@ -196,29 +188,14 @@ public final class SettledCells implements BatchObserver {
         }
         enclose(cells, point, towardsLight, lightDistance, seen);
         return unoccluded == 0 ? aimed == cells.cornerCount() && isAllBlocked(cells)
-                : unoccluded == aimed && hitsOnly(seen);
+                : unoccluded == aimed && showsOnly(seen);
     }
 
     /** Whether one surface blocks the corners' shadow rays, and so, as all are convex, those between them. */
     private boolean isAllBlocked(CornerGrid.Cells cells) {
         int[] corners = Arrays.stream(grid.outermost(cells)).map(p -> grid.rayOf[p]).toArray();
-        for (Surfaces kind : surfaces) {
-            if (kind instanceof BoundedSurfaces bounded
-                    ? BundleSearch.anyBlocksAll(bounded, bundle, k -> blocksAll(bounded, corners, k), space)
-                    : ((UnboundedSurfaces) kind).anyBlocksAll(rays, shadows, corners)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private boolean blocksAll(BoundedSurfaces bounded, int[] corners, int k) {
-        for (int ray : corners) {
-            if (!bounded.blocks(rays, shadows, ray, k)) {
-                return false;
-            }
-        }
-        return true;
+        return surfaces.stream().anyMatch(kind -> BundleSearch.anyBlocksAll(kind, bundle,
+                k -> Arrays.stream(corners).allMatch(ray -> kind.blocks(rays, shadows, ray, k)), space));
     }
 
     /** Finds the cells in which the highlight may differ from the mean of their corners. */

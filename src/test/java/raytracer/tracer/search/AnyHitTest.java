@@ -25,7 +25,7 @@ import raytracer.tracer.primitive.Triangles;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.BoundedSurfaces;
+import raytracer.tracer.surface.Surfaces;
 
 @DisplayName("The search for any hit")
 class AnyHitTest {
@@ -44,7 +44,7 @@ class AnyHitTest {
         return new Vector(a.x() + b.x(), a.y() + b.y(), a.z() + b.z());
     }
 
-    private BoundedSurfaces spheres() {
+    private Surfaces spheres() {
         List<Shape.Sphere> spheres = new ArrayList<>();
         for (int k = 0; k < COUNT; k++) {
             spheres.add(new Shape.Sphere(within(1), .06 * (.1 + random.nextDouble()), Material.DEFAULT));
@@ -53,7 +53,7 @@ class AnyHitTest {
         return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), 0, bvh);
     }
 
-    private BoundedSurfaces triangles() {
+    private Surfaces triangles() {
         Mesh.Builder mesh = new Mesh.Builder();
         for (int k = 0; k < COUNT; k++) {
             Vector place = within(1);
@@ -73,11 +73,11 @@ class AnyHitTest {
     void findsWhatTryingEachFinds(double size, boolean directional) {
         Vector v = directional ? new Vector(1, 2, -.3).unit() : new Vector(1, 2, -.3);
         LightSource light = new LightSource(directional, v.x(), v.y(), v.z(), Colour.BLACK);
-        for (BoundedSurfaces surfaces : List.of(spheres(), triangles())) {
+        for (Surfaces surfaces : List.of(spheres(), triangles())) {
             Rays rays = new Rays();
             ShadowRays shadows = new ShadowRays(rays);
             // One object for all tiles: what it remembers of one must not matter to the next.
-            var search = AnyHit.among(surfaces, rays, shadows, new SearchWorkspace());
+            var search = new AnyHit(surfaces, rays, shadows, new SearchWorkspace());
             int blocked = 0;
             for (int tile = 0; tile < TILES; tile++) {
                 scatter(rays, within(1.2), size);

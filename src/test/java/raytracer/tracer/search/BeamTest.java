@@ -14,6 +14,7 @@ import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhTest;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.RayIntervals;
 import raytracer.tracer.rays.Rays;
 
 @DisplayName("A beam")
@@ -22,6 +23,7 @@ class BeamTest {
     private static final int RAYS = 40;
 
     private final Beam beam = new Beam();
+    private final RayIntervals intervals = new RayIntervals();
     private final Rays rays = new Rays();
     private final double[][] o = {rays.ox, rays.oy, rays.oz};
     private final double[][] d = {rays.dx, rays.dy, rays.dz};
@@ -38,8 +40,8 @@ class BeamTest {
     }
 
     private boolean gather(Bvh bvh) {
-        beam.enclose(rays, 0, RAYS);
-        return beam.gather(bvh);
+        intervals.enclose(rays, 0, RAYS);
+        return beam.gather(intervals, bvh);
     }
 
     private BitSet gathered(Bvh bvh) {
@@ -89,9 +91,9 @@ class BeamTest {
         assertTrue(spread > .1 ? wide > 100 : met > 300, met + " met, " + wide + " too wide");
     }
 
-    @ParameterizedTest(name = "to a lamp holds all that may be in the way: world offset {0}, origins {1} apart")
+    @ParameterizedTest(name = "to a light holds all that may be in the way: world offset {0}, origins {1} apart")
     @CsvSource({"0, .1", "1e6, .02", "-1e9, .1"})
-    void holdsAllThatMayBeBeforeALamp(double offset, double apart) {
+    void holdsAllThatMayBeBeforeALight(double offset, double apart) {
         double[][] boxes = BvhTest.cubes(300, 2, .04, offset, 1);
         Bvh bvh = BvhTest.build(boxes, 2);
         Random random = new Random(4);
@@ -100,21 +102,21 @@ class BeamTest {
             Vector axis = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
             Vector place = new Vector(offset + 2 * axis.x(), offset + 2 * axis.y(), offset + 2 * axis.z());
             boolean directional = tile % 2 == 0;
-            LightSource lamp = directional ? new LightSource(true, -axis.x(), -axis.y(), -axis.z(), Colour.BLACK)
+            LightSource light = directional ? new LightSource(true, -axis.x(), -axis.y(), -axis.z(), Colour.BLACK)
                     : new LightSource(false, place.x(), place.y(), place.z(), Colour.BLACK);
             for (int i = 0; i < RAYS; i++) {
                 o[0][i] = offset + (directional ? 2 * axis.x() : 0) + apart * random.nextDouble();
                 o[1][i] = offset + (directional ? 2 * axis.y() : 0) + apart * random.nextDouble();
                 o[2][i] = offset + (directional ? 2 * axis.z() : 0) + apart * random.nextDouble();
             }
-            beam.enclose(rays, lamp, 0, RAYS);
-            if (!beam.gather(bvh)) {
+            intervals.enclose(rays, light, 0, RAYS);
+            if (!beam.gather(intervals, bvh)) {
                 continue;
             }
             BitSet things = gathered(bvh);
             for (int i = 0; i < RAYS; i++) {
                 Vector from = new Vector(o[0][i], o[1][i], o[2][i]);
-                Vector way = directional ? new Vector(lamp.x(), lamp.y(), lamp.z()) : place.minus(from).unit();
+                Vector way = directional ? new Vector(light.x(), light.y(), light.z()) : place.minus(from).unit();
                 double far = directional ? Double.POSITIVE_INFINITY : place.minus(from).length();
                 for (int k = 0; k < boxes.length; k++) {
                     if (BvhTest.meets(boxes[k], from, way, far)) {

@@ -1,0 +1,83 @@
+package raytracer.tracer.rays;
+
+import raytracer.tracer.arithmetic.Vectors;
+
+/** By axis, the intervals in which the origins and the directions of many rays lie. */
+public final class RayIntervals {
+
+    public final double[] minOrigin = new double[3];
+    public final double[] maxOrigin = new double[3];
+
+    // In a unit that is the rays' own: their directions may be longer than 1.
+    public final double[] minDirection = new double[3];
+    public final double[] maxDirection = new double[3];
+
+    /** What is farther away, in that unit, does not matter. */
+    public double maxDistance;
+
+    /** Takes in no rays. */
+    public void clear() {
+        for (int axis = 0; axis < 3; axis++) {
+            minOrigin[axis] = minDirection[axis] = Double.POSITIVE_INFINITY;
+            maxOrigin[axis] = maxDirection[axis] = Double.NEGATIVE_INFINITY;
+        }
+        maxDistance = 0;
+    }
+
+    /** Takes in rays, from one index to another, as well. */
+    public void include(Vectors origins, Vectors directions, double[] distances, int from, int to) {
+        include(origins, from, to, minOrigin, maxOrigin);
+        include(directions, from, to, minDirection, maxDirection);
+        for (int i = from; i < to; i++) {
+            maxDistance = distances[i] > maxDistance ? distances[i] : maxDistance;
+        }
+    }
+
+    /** Takes in a batch's rays, from one index to another, in place of all others, as far as their distances. */
+    public void enclose(Rays rays, int from, int to) {
+        clear();
+        include(rays.direction, from, to, minDirection, maxDirection);
+        include(rays.origin, from, rays.leaveEye ? from + 1 : to, minOrigin, maxOrigin);
+        for (int i = from; i < to; i++) {
+            maxDistance = rays.distance[i] > maxDistance ? rays.distance[i] : maxDistance;
+        }
+    }
+
+    /**
+     * Takes in the ways from where rays have arrived to a light, in place of all others. From a light at a point they
+     * are taken backwards, as what starts at a point is narrower; distances are then in parts of the way.
+     */
+    public void enclose(Rays rays, LightSource light, int from, int to) {
+        clear();
+        include(rays.origin, from, to, minOrigin, maxOrigin);
+        double[] position = {light.x(), light.y(), light.z()};
+        for (int axis = 0; axis < 3; axis++) {
+            if (light.directional()) {
+                minDirection[axis] = maxDirection[axis] = position[axis];
+            } else {
+                minDirection[axis] = minOrigin[axis] - position[axis];
+                maxDirection[axis] = maxOrigin[axis] - position[axis];
+                minOrigin[axis] = maxOrigin[axis] = position[axis];
+            }
+        }
+        maxDistance = light.directional() ? Double.POSITIVE_INFINITY : 1;
+    }
+
+    private static void include(Vectors vectors, int from, int to, double[] min, double[] max) {
+        include(vectors.x(), from, to, min, max, 0);
+        include(vectors.y(), from, to, min, max, 1);
+        include(vectors.z(), from, to, min, max, 2);
+    }
+
+    /** Comparisons, not the library's min and max: a NaN among the values is left out, and its ray hits nothing. */
+    private static void include(double[] values, int from, int to, double[] min, double[] max, int axis) {
+        double low = min[axis], high = max[axis];
+        for (int i = from; i < to; i++) {
+            double v = values[i];
+            low = v < low ? v : low;
+            high = v > high ? v : high;
+        }
+        min[axis] = low;
+        max[axis] = high;
+    }
+}
