@@ -9,11 +9,6 @@ package raytracer.scene;
  */
 public record Vector(double x, double y, double z) {
 
-    /** The component along an axis: 0 is x, 1 y, 2 z. */
-    public double along(int axis) {
-        return axis == 0 ? x : axis == 1 ? y : z;
-    }
-
     public Vector minus(Vector other) {
         return new Vector(x - other.x, y - other.y, z - other.z);
     }

@@ -13,7 +13,9 @@ import raytracer.scene.Shape;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.primitive.Planes;
+import raytracer.tracer.primitive.SphereBounds;
 import raytracer.tracer.primitive.Spheres;
+import raytracer.tracer.primitive.TriangleBounds;
 import raytracer.tracer.primitive.Triangles;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
@@ -90,13 +92,13 @@ final class SurfaceCompiler {
     }
 
     private Surfaces spheres(int first) {
-        Bvh bvh = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Spheres.LEAF_SIZE, pool);
+        Bvh bvh = BvhBuilder.build(spheres.size(), new SphereBounds(spheres), Spheres.LEAF_SIZE, pool);
         arrange(first, bvh.order());
         return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), first, bvh);
     }
 
     private Surfaces triangles(int first) {
-        Bvh bvh = BvhBuilder.build(mesh.triangles(), Triangles.bounds(mesh), Triangles.LEAF_SIZE, pool);
+        Bvh bvh = BvhBuilder.build(mesh.triangles(), new TriangleBounds(mesh), Triangles.LEAF_SIZE, pool);
         arrange(first, bvh.order());
         return new Triangles(mesh, first, bvh, pool);
     }

@@ -178,7 +178,7 @@ public final class TileTracer {
     private void moveToHits() {
         for (int group = 0; group < groups.count(); group++) {
             Surfaces kind = kindOf(rays.hit[groups.start(group)]);
-            kind.moveToHits(rays, groups.start(group), groups.end(group), space.surfaces());
+            kind.moveToHits(rays, groups.start(group), groups.end(group));
         }
         if (observer != null) {
             observer.moved();

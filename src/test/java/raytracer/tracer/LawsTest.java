@@ -24,6 +24,7 @@ import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
+import raytracer.tracer.primitive.SphereBounds;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.ClosestHit;
@@ -139,7 +140,7 @@ class LawsTest {
             spheres.add(new Shape.Sphere(new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)),
                     .05 + random.nextDouble() / 10, Material.DEFAULT));
         }
-        Bvh tree = BvhBuilder.build(500, Spheres.bounds(spheres), Bvh.LEAF_SIZE, ForkJoinPool.commonPool());
+        Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Bvh.LEAF_SIZE, ForkJoinPool.commonPool());
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
         Surfaces with = new Spheres(ordered, 0, tree);

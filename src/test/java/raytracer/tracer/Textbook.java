@@ -13,8 +13,8 @@ import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.BvhWalk;
-import raytracer.tracer.primitive.Spheres;
-import raytracer.tracer.primitive.Triangles;
+import raytracer.tracer.primitive.SphereBounds;
+import raytracer.tracer.primitive.TriangleBounds;
 
 /**
  * A whole recursive tracer as in textbooks, for comparison: quadratic formula, Moeller-Trumbore, whatever comes first of
@@ -61,9 +61,9 @@ public final class Textbook {
             }
         }
         ForkJoinPool pool = ForkJoinPool.commonPool();
-        sphereTree = BvhBuilder.build(spheres.size(), Spheres.bounds(spheres), Bvh.LEAF_SIZE, pool);
+        sphereTree = BvhBuilder.build(spheres.size(), new SphereBounds(spheres), Bvh.LEAF_SIZE, pool);
         triangleTree = BvhBuilder.build(
-                scene.mesh().triangles(), Triangles.bounds(scene.mesh()), Bvh.LEAF_SIZE, pool);
+                scene.mesh().triangles(), new TriangleBounds(scene.mesh()), Bvh.LEAF_SIZE, pool);
     }
 
     /** Renders on the calling thread. */

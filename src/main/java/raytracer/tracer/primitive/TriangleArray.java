@@ -4,7 +4,6 @@ import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.arithmetic.Vectors;
-import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.Rays;
 
@@ -78,31 +77,6 @@ final class TriangleArray {
 
     Vector corner(int k, int corner) {
         return mesh.corner(order[k], corner);
-    }
-
-    static Bounds bounds(Mesh mesh) {
-        return new Bounds() {
-            @Override
-            public void of(int k, double[] box) {
-                for (int axis = 0; axis < 3; axis++) {
-                    double a = mesh.coordinate(k, 0, axis);
-                    double b = mesh.coordinate(k, 1, axis);
-                    double c = mesh.coordinate(k, 2, axis);
-                    box[axis] = Math.min(a, Math.min(b, c));
-                    box[axis + 3] = Math.max(a, Math.max(b, c));
-                }
-            }
-
-            @Override
-            public boolean areSame(int k, int other) {
-                for (int number = 0; number < 9; number++) {
-                    if (mesh.coordinate(k, number / 3, number % 3) != mesh.coordinate(other, number / 3, number % 3)) {
-                        return false;
-                    }
-                }
-                return true;
-            }
-        };
     }
 
     /**

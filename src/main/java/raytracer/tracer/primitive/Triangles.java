@@ -5,7 +5,6 @@ import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.arithmetic.Vectors;
-import raytracer.tracer.bvh.Bounds;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.ParallelRange;
 import raytracer.tracer.rays.LightSource;
@@ -48,10 +47,6 @@ public final class Triangles extends Surfaces {
                 sieve.set(k);
             }
         });
-    }
-
-    public static Bounds bounds(Mesh mesh) {
-        return TriangleArray.bounds(mesh);
     }
 
     @Override
@@ -229,7 +224,7 @@ public final class Triangles extends Surfaces {
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
+    public void moveToHits(Rays rays, int from, int to) {
         for (int i = from; i < to; i++) {
             moveToHit(rays, i, number(rays.hit[i]));
         }

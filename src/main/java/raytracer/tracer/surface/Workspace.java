@@ -11,15 +11,6 @@ public final class Workspace {
     public final BvhWalk walk = new BvhWalk();
     public final SieveLine line = new SieveLine();
 
-    /** Rays that plain doubles could not decide. */
-    public final int[] doubtful = new int[Batch.CAPACITY];
-    public int doubtfulCount;
-
-    // By ray, of a sphere: direction . (origin - centre), r^2 less the perpendicular's square, the distance.
-    public final double[] along = new double[Batch.CAPACITY];
-    public final double[] square = new double[Batch.CAPACITY];
-    public final double[] distance = new double[Batch.CAPACITY];
-
     // By ray, of a triangle: the sides of its edges, and the least product of two of them.
     public final Vectors sides = new Vectors();
     public final double[] minProduct = new double[Batch.CAPACITY];

@@ -37,7 +37,7 @@ class TriangleSieveTest {
     }
 
     private static Bvh tree(Mesh mesh) {
-        return BvhBuilder.build(COUNT, Triangles.bounds(mesh),
+        return BvhBuilder.build(COUNT, new TriangleBounds(mesh),
                 Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
     }
 

@@ -20,7 +20,9 @@ import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhBuilder;
+import raytracer.tracer.primitive.SphereBounds;
 import raytracer.tracer.primitive.Spheres;
+import raytracer.tracer.primitive.TriangleBounds;
 import raytracer.tracer.primitive.Triangles;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
@@ -49,7 +51,7 @@ class AnyHitTest {
         for (int k = 0; k < COUNT; k++) {
             spheres.add(new Shape.Sphere(within(1), .06 * (.1 + random.nextDouble()), Material.DEFAULT));
         }
-        Bvh bvh = BvhBuilder.build(COUNT, Spheres.bounds(spheres), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
+        Bvh bvh = BvhBuilder.build(COUNT, new SphereBounds(spheres), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
         return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), 0, bvh);
     }
 
@@ -64,7 +66,7 @@ class AnyHitTest {
             mesh.addTriangle(3 * k, 3 * k + 1, 3 * k + 2);
         }
         Mesh all = mesh.build();
-        Bvh bvh = BvhBuilder.build(COUNT, Triangles.bounds(all), Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
+        Bvh bvh = BvhBuilder.build(COUNT, new TriangleBounds(all), Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
         return new Triangles(all, 0, bvh, ForkJoinPool.commonPool());
     }
 

@@ -1,0 +1,255 @@
+package raytracer.tracer.primitive;
+
+import raytracer.scene.Shape;
+import raytracer.scene.Vector;
+import raytracer.tracer.arithmetic.PowerOfPoint;
+import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.Rays;
+import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.surface.Surfaces;
+
+/**
+ * A sphere, as rays see it. Whether one hits it is decided by the perpendicular from the centre to the ray, which loses no
+ * digits to distance (Haines, Guenther, Akenine-Moeller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing
+ * Gems, 2019, chapter 7); where it does, by the power of the origin, which loses none to size ({@link PowerOfPoint}).
+ */
+final class Sphere {
+
+    // A ray is clear of a sphere if its perpendicular's square exceeds r^2 by this part of it, and the ray's origin is
+    // off by no more than this part of r.
+    private static final double CLEAR = 1 / 4.0;
+    private static final double SHARP = 1 / 32.0;
+
+    private final int surface;
+    private final double cx, cy, cz, r;
+
+    Sphere(Shape.Sphere sphere, int surface) {
+        this.surface = surface;
+        cx = sphere.centre().x();
+        cy = sphere.centre().y();
+        cz = sphere.centre().z();
+        r = sphere.radius();
+    }
+
+    Vector centre() {
+        return new Vector(cx, cy, cz);
+    }
+
+    double radius() {
+        return r;
+    }
+
+    /** The distance at which a ray hits the sphere; NaN if it does not, or farther away than {@link Rays#maxDistance}. */
+    double distance(Rays rays, int i) {
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
+        double along = x * dx + y * dy + z * dz;
+        double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+        double square = r * r - (ex * ex + ey * ey + ez * ez);
+        double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double originError = rays.originError[i], directionError = rays.directionError[i];
+        double bound = Rounding.sphereSquare(originError, directionError, l1Norm, r, along);
+        if (square < -bound || isClear(square, originError)) {
+            return Double.NaN;
+        }
+        double alongError = Rounding.along(originError, directionError, l1Norm);
+        double power = rays.source[i] == surface
+                ? 0
+                : PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
+        double powerError = Rounding.power(originError, r, rays.slide[i], along);
+        if (Math.abs(power) <= powerError) {
+            // The ray starts on the sphere: only the other hit counts, if it goes inwards.
+            return along < -alongError - rays.slide[i] ? atMost(rays.maxDistance(i), -2 * along) : Double.NaN;
+        }
+        if (square < bound) {
+            double error = Rounding.tangentSquare(along, alongError, power, Rounding.power(originError, r, 0, 0));
+            square = error < bound ? along * along - power : square;
+            if (square < -Math.min(error, bound)) {
+                return Double.NaN;
+            }
+        }
+        return atMost(rays.maxDistance(i), distance(power, along, Math.sqrt(Math.max(0, square))));
+    }
+
+    private static double atMost(double max, double t) {
+        return t <= max ? t : Double.NaN;
+    }
+
+    /**
+     * The distance to the first hit, not positive if there is none. The two distances multiply to the power and add
+     * up to -2 along; each is computed in the way that subtracts nothing alike.
+     */
+    private static double distance(double power, double along, double half) {
+        if (power > 0) {
+            return along < 0 ? power / (half - along) : -1;
+        }
+        return along <= 0 ? half - along : -power / (half + along);
+    }
+
+    /** Bounds the error of that distance. */
+    double distanceError(Rays rays, int i, double t) {
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double along = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
+        return Rounding.sphereDistance(rays.originError[i], rays.directionError[i],
+                Math.abs(x) + Math.abs(y) + Math.abs(z), r, Math.abs(t + along), along, t);
+    }
+
+    /** Records the sphere for rays, from one index to another, that hit it. */
+    void intersectAll(Rays rays, int from, int to) {
+        double power = rays.leaveEye
+                ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from], cx, cy, cz, r) : 0;
+        if (power > 0) {
+            intersectFromEye(rays, from, to, power);
+            return;
+        }
+        for (int i = from; i < to; i++) {
+            intersect(rays, i);
+        }
+    }
+
+    private void intersect(Rays rays, int i) {
+        double t = distance(rays, i);
+        if (t > 0) {
+            rays.record(i, surface, t);
+        }
+    }
+
+    /**
+     * The same for rays that start at one point outside: most hit or miss for certain in plain doubles.
+     *
+     * @param power of that point
+     */
+    private void intersectFromEye(Rays rays, int from, int to, double power) {
+        double x = rays.ox[from] - cx, y = rays.oy[from] - cy, z = rays.oz[from] - cz;
+        double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        // Whether a ray hits is certain unless the square of half the chord is nearer to 0 than this.
+        double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, distance = rays.distance;
+        for (int i = from; i < to; i++) {
+            double along = x * dx[i] + y * dy[i] + z * dz[i];
+            double ex = x - along * dx[i], ey = y - along * dy[i], ez = z - along * dz[i];
+            double square = r * r - (ex * ex + ey * ey + ez * ez);
+            if (square < doubt) {
+                if (square >= -doubt) {
+                    intersect(rays, i);
+                }
+            } else if (along < 0) {
+                double t = power / (Math.sqrt(square) - along);
+                if (t < distance[i] * (1 - Rounding.TIE_SIEVE)) {
+                    rays.hit[i] = surface;
+                    distance[i] = t;
+                } else if (t <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
+                    intersect(rays, i);
+                }
+            }
+        }
+    }
+
+    /**
+     * Whether the sphere is hit strictly between where a ray has arrived and a light. It follows from which of them are
+     * outside, inside and on the sphere, and needs no distance.
+     *
+     * @param lightSide see {@link #sideOf}
+     */
+    boolean blocks(Rays rays, ShadowRays shadows, int i, int lightSide) {
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = shadows.dx[i], dy = shadows.dy[i], dz = shadows.dz[i];
+        double along = x * dx + y * dy + z * dz;
+        double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
+        double square = r * r - (ex * ex + ey * ey + ez * ez), error = shadows.originError[i];
+        if (isClear(square, error)) {
+            return false;
+        }
+        if (rays.hit[i] == surface ? along >= 0 : lightSide > 0 && isPlain(along, square, error)) {
+            return along < 0 && -along < shadows.distance[i];
+        }
+        double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double alongError = Rounding.along(rays.originError[i], 2 * Rounding.U, l1Norm) + rays.slide[i];
+        int side = 0;
+        if (rays.hit[i] != surface) {
+            double bound = Rounding.sphereSquare(error, 2 * Rounding.U, l1Norm, r, along);
+            double slideAlong = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
+            double powerError = Rounding.power(rays.originError[i], r, rays.slide[i], slideAlong);
+            double power = power(rays.ox[i], rays.oy[i], rays.oz[i], powerError);
+            side = sign(power, powerError);
+            double tangentError = Rounding.tangentSquare(along, alongError, power, powerError);
+            if (square < -bound || side > 0 && square < bound && tangentError < bound
+                    && along * along - power < -tangentError) {
+                return false;
+            }
+        }
+        if (side == 0) {
+            // It must go inwards, and come out again before the light.
+            return along < -alongError && lightSide > 0;
+        }
+        if (side < 0 || lightSide < 0) {
+            return side * lightSide < 0;
+        }
+        // The middle of the way through the sphere must be before the light: clearly so, if the light is on the sphere.
+        return along < 0 && -along < shadows.distance[i] - (lightSide > 0 ? 0
+                : alongError + Rounding.lightDistance(shadows.light.positionError(), shadows.distance[i]));
+    }
+
+    /**
+     * Whether a ray is clear of a sphere, whatever its errors are.
+     *
+     * @param square r^2 less the square of the perpendicular from the centre: of half the chord, if the ray hits
+     * @param error  how far off the ray's origin may be
+     */
+    private boolean isClear(double square, double error) {
+        return square < -CLEAR * r * r && error <= SHARP * r;
+    }
+
+    /** Whether a ray clearly starts outside a sphere, and hits it clearly or has it behind. */
+    private boolean isPlain(double along, double square, double error) {
+        double power = along * along - square;
+        return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)
+                && (along >= 0 || square > 2 * r * Rounding.passing(along, error) + 18 * Rounding.U * r * r);
+    }
+
+    /** 1 if a light is outside, -1 inside, 0 on the sphere. */
+    int sideOf(LightSource light) {
+        if (light.directional()) {
+            return 1;
+        }
+        double error = Rounding.power(light.positionError(), r, 0, 0);
+        return sign(power(light.x(), light.y(), light.z(), error), error);
+    }
+
+    /** 1 if a point is outside a sphere, -1 inside, 0 on it. */
+    private static int sign(double power, double error) {
+        return Math.abs(power) <= error ? 0 : power > 0 ? 1 : -1;
+    }
+
+    /** The power of a point, exactly enough to compare with a bound. */
+    private double power(double px, double py, double pz, double bound) {
+        double x = px - cx, y = py - cy, z = pz - cz;
+        double square = x * x + y * y + z * z;
+        double power = square - r * r;
+        return Math.abs(power) <= bound + Rounding.plainPower(square, r)
+                ? PowerOfPoint.of(px, py, pz, cx, cy, cz, r) : power;
+    }
+
+    /** Moves a ray that hits the sphere there, as {@link Surfaces#moveToHits} does. */
+    void moveToHit(Rays rays, int i) {
+        double t = rays.distance[i];
+        double x = rays.ox[i] - cx, y = rays.oy[i] - cy, z = rays.oz[i] - cz;
+        double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
+        double slide = Rounding.sphereSlide(Math.abs(x) + Math.abs(y) + Math.abs(z), r, x * dx + y * dy + z * dz, t);
+        double px = rays.ox[i] + t * dx, py = rays.oy[i] + t * dy, pz = rays.oz[i] + t * dz;
+        double error = Rounding.point(t, Math.abs(px) + Math.abs(py) + Math.abs(pz));
+        rays.ox[i] = px;
+        rays.oy[i] = py;
+        rays.oz[i] = pz;
+        // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
+        double nx = px - cx, ny = py - cy, nz = pz - cz;
+        double reciprocal = 1 / Math.max(Math.sqrt(nx * nx + ny * ny + nz * nz), Double.MIN_NORMAL);
+        rays.nx[i] = nx * reciprocal;
+        rays.ny[i] = ny * reciprocal;
+        rays.nz[i] = nz * reciprocal;
+        rays.slide[i] = slide;
+        rays.originError[i] = error;
+        rays.normalError[i] = (error + slide) / r + 4 * Rounding.U;
+    }
+}
