@@ -42,7 +42,7 @@ final class ShadingGroups {
 
     /** Puts the rays in order; those that have hit nothing leave. */
     void arrange(Rays rays) {
-        int hitCount = rays.hit[0] != Rays.NONE && rays.haveHitTheSame(0, rays.count) ? makeOne(rays) : assign(rays);
+        int hitCount = assign(rays);
         if (count == 1 && hitCount == rays.count) {
             start[0] = 0;
             start[1] = hitCount;
@@ -66,12 +66,6 @@ final class ShadingGroups {
                 order[--start[groupOf[i]]] = i;
             }
         }
-    }
-
-    private int makeOne(Rays rays) {
-        count = 1;
-        materialOf[0] = materialIndex[rays.hit[0]];
-        return rays.count;
     }
 
     /** Tells every ray its group, and counts each group's rays in {@link #start}. */

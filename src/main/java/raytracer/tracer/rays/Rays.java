@@ -99,12 +99,6 @@ public final class Rays {
         dz[ray] = unit.z();
     }
 
-    /** Whether all rays from one index to another have hit the same surface, or none. */
-    public boolean haveHitTheSame(int from, int to) {
-        // Each has if the next has.
-        return Arrays.equals(hit, from, to - 1, hit, from + 1, to);
-    }
-
     /** Forgets what was hit. */
     public void clearHits() {
         Arrays.fill(hit, 0, count, NONE);
