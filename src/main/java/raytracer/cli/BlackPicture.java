@@ -51,7 +51,7 @@ final class BlackPicture {
         double scale = Math.min(1, (double) SIDE / Math.max(scene.width(), scene.height()));
         int width = (int) Math.ceil(scale * scene.width()), height = (int) Math.ceil(scale * scene.height());
         Image image = new Image(width, height);
-        new Renderer(Tracer.compile(scene.withSize(width, height), 1), Sampling.CENTRES, 1, Region.whole(width, height),
+        new Renderer(Tracer.compile(scene.withSize(width, height)), Sampling.CENTRES, 1, Region.whole(width, height),
                 image).render();
         return image.isBlack();
     }

@@ -91,7 +91,7 @@ final class ChartJob {
         this.options = options;
         this.places = places;
         this.terminal = terminal;
-        tracer = Tracer.compile(scene, options.threads());
+        tracer = Tracer.compile(scene);
     }
 
     int run() throws IOException, UsageException {

@@ -31,7 +31,7 @@ final class Explaining {
 
     /** The lines that explain a pixel of the picture. */
     List<String> explain(int x, int y) {
-        Tracer tracer = Tracer.compile(scene, 1);
+        Tracer tracer = Tracer.compile(scene);
         lines.add(file + ": pixel " + x + "," + y + " of " + scene.width() + "x" + scene.height());
         Explainer.Explanation explanation = tracer.newExplainer().explain(x, y);
         List<Explainer.Step> steps = explanation.steps();

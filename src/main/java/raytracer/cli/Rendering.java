@@ -79,7 +79,7 @@ final class Rendering {
 
     private void trace(Image image) {
         Stopwatch building = new Stopwatch();
-        Tracer tracer = Tracer.compile(scene, options.threads());
+        Tracer tracer = Tracer.compile(scene);
         stats.buildMillis = building.millis();
         if (options.has(Option.VERBOSE)) {
             terminal.tell(stats.sceneInWords(scene, tracer));

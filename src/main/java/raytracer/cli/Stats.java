@@ -103,8 +103,7 @@ final class Stats {
                         + " too wide for a tree\n");
             }
         }
-        return words.append(String.format(Locale.ROOT, "built in %.0f ms, %s", buildMillis, counted(threads, "thread")))
-                .toString();
+        return words.append(String.format(Locale.ROOT, "built in %.0f ms", buildMillis)).toString();
     }
 
     /** How many rays were traced; of few, the exact number. */

@@ -45,6 +45,11 @@ public record Vector(double x, double y, double z) {
         return x == 0 && y == 0 && z == 0;
     }
 
+    /** |x| + |y| + |z| */
+    public double l1Norm() {
+        return Math.abs(x) + Math.abs(y) + Math.abs(z);
+    }
+
     public double length() {
         return Math.sqrt(dot(this));
     }

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Material;
 import raytracer.scene.Mesh;
 import raytracer.scene.Scene;
@@ -24,7 +23,6 @@ import raytracer.tracer.surface.Surfaces;
 final class SurfaceCompiler {
 
     private final Mesh mesh;
-    private final ForkJoinPool pool;
     private final List<Shape.Plane> planes = new ArrayList<>();
     private final List<Shape.Sphere> spheres = new ArrayList<>();
 
@@ -33,9 +31,8 @@ final class SurfaceCompiler {
     private final int[] materialIndex;
     private final List<Material> materials = new ArrayList<>();
 
-    SurfaceCompiler(Scene scene, ForkJoinPool pool) {
+    SurfaceCompiler(Scene scene) {
         mesh = scene.mesh();
-        this.pool = pool;
         int count = 0;
         for (Shape shape : scene.shapes()) {
             count = Math.addExact(count, shape.count());
@@ -92,15 +89,15 @@ final class SurfaceCompiler {
     }
 
     private Surfaces spheres(int first) {
-        Bvh bvh = BvhBuilder.build(spheres.size(), new SphereBounds(spheres), Spheres.LEAF_SIZE, pool);
+        Bvh bvh = BvhBuilder.build(spheres.size(), new SphereBounds(spheres), Spheres.LEAF_SIZE);
         arrange(first, bvh.order());
         return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), first, bvh);
     }
 
     private Surfaces triangles(int first) {
-        Bvh bvh = BvhBuilder.build(mesh.triangles(), new TriangleBounds(mesh), Triangles.LEAF_SIZE, pool);
+        Bvh bvh = BvhBuilder.build(mesh.triangles(), new TriangleBounds(mesh), Triangles.LEAF_SIZE);
         arrange(first, bvh.order());
-        return new Triangles(mesh, first, bvh, pool);
+        return new Triangles(mesh, first, bvh);
     }
 
     /** Puts surfaces in the order of their tree. */

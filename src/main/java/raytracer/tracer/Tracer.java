@@ -1,10 +1,7 @@
 package raytracer.tracer;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicLong;
-import raytracer.scene.Light;
 import raytracer.scene.Scene;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.bvh.TreeFacts;
@@ -40,22 +37,11 @@ public final class Tracer {
         this.traced = traced;
     }
 
-    /** @param threads how many threads build trees; what is built does not depend on it */
-    public static Tracer compile(Scene scene, int threads) {
-        ForkJoinPool pool = new ForkJoinPool(threads);
-        try {
-            Pinhole pinhole = new Pinhole(scene);
-            List<LightSource> lights = new ArrayList<>();
-            for (Light light : scene.lights()) {
-                lights.add(LightSource.of(light));
-            }
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, pool);
-            List<Surfaces> surfaces = compiler.surfaces();
-            return new Tracer(pinhole, surfaces, compiler.table(), List.copyOf(lights), scene.maxDepth(),
-                    new AtomicLong());
-        } finally {
-            pool.shutdown();
-        }
+    public static Tracer compile(Scene scene) {
+        SurfaceCompiler compiler = new SurfaceCompiler(scene);
+        List<Surfaces> surfaces = compiler.surfaces();
+        return new Tracer(new Pinhole(scene), surfaces, compiler.table(),
+                scene.lights().stream().map(LightSource::of).toList(), scene.maxDepth(), new AtomicLong());
     }
 
     /** The same scene, but that paths from the eye hit at most so many surfaces. */

@@ -61,7 +61,7 @@ final class PictureChart {
         names.add("double, eps 1e-9");
         works.add(textbook(scene, image, false, 1e-9));
         names.add("ours");
-        Tracer tracer = Tracer.compile(scene, 1);
+        Tracer tracer = Tracer.compile(scene);
         works.add(() -> {
             Rendering.of(tracer, 1, image).render();
             return image.rgb(0, 0);

@@ -81,7 +81,7 @@ class ReferenceTest {
 
     private static Image render(Scene scene, int threads) {
         Image image = new Image(scene.width(), scene.height());
-        Renderer renderer = Rendering.of(Tracer.compile(scene, threads), threads, image);
+        Renderer renderer = Rendering.of(Tracer.compile(scene), threads, image);
         assertEquals((long) scene.width() * scene.height(), renderer.render().primary());
         assertEquals(1, renderer.progress());
         return image;

@@ -40,16 +40,16 @@ class SameBytesTest {
     void threads(NearTies family) throws Exception {
         Scene scene = scene(family);
         Region whole = Region.whole(WIDTH, HEIGHT);
-        int[] one = render(Tracer.compile(scene, 1), Sampling.CENTRES, 1, whole);
+        int[] one = render(Tracer.compile(scene), Sampling.CENTRES, 1, whole);
         for (int threads : new int[] {2, 4, 7}) {
-            assertSame(one, render(Tracer.compile(scene, threads), Sampling.CENTRES, threads, whole), threads + " threads");
+            assertSame(one, render(Tracer.compile(scene), Sampling.CENTRES, threads, whole), threads + " threads");
         }
     }
 
     @ParameterizedTest(name = "what was rendered before: {0}")
     @EnumSource
     void repeats(NearTies family) throws Exception {
-        Tracer tracer = Tracer.compile(scene(family), 2);
+        Tracer tracer = Tracer.compile(scene(family));
         Region whole = Region.whole(WIDTH, HEIGHT);
         int[] first = render(tracer, Sampling.CENTRES, 2, whole);
         for (int repeat = 1; repeat < 4; repeat++) {
@@ -60,7 +60,7 @@ class SameBytesTest {
     @ParameterizedTest(name = "what else is rendered: {0}")
     @EnumSource
     void regions(NearTies family) throws Exception {
-        Tracer tracer = Tracer.compile(scene(family), 2);
+        Tracer tracer = Tracer.compile(scene(family));
         for (Sampling sampling : new Sampling[] {Sampling.CENTRES, new Sampling.Adaptive(1 / 64.0)}) {
             int[] whole = render(tracer, sampling, 2, Region.whole(WIDTH, HEIGHT));
             Region region = new Region(33, 21, 71, 57);

@@ -64,7 +64,7 @@ class SamplingTest {
 
     private static Canvas render(Scene scene, Sampling sampling, RayCounts[] counts) {
         Canvas canvas = new Canvas(scene.width(), scene.height());
-        counts[0] = new Renderer(Tracer.compile(scene, 2), sampling, 2, Region.whole(scene.width(), scene.height()), canvas)
+        counts[0] = new Renderer(Tracer.compile(scene), sampling, 2, Region.whole(scene.width(), scene.height()), canvas)
                 .render();
         return canvas;
     }
@@ -103,7 +103,7 @@ class SamplingTest {
     void ofOneColourMakeItsByte(int n) throws Exception {
         Scene scene = Scenes.parse("size 8 2\ncamera 0 0 4 0 0 0 0 1 0 45\nambient .1 .7 .9\nplane 0 0 0 0 0 1\n").scene();
         Image image = new Image(8, 2);
-        new Renderer(Tracer.compile(scene, 1), new Sampling.Grid(n), 1, Region.whole(8, 2), image).render();
+        new Renderer(Tracer.compile(scene), new Sampling.Grid(n), 1, Region.whole(8, 2), image).render();
         for (int i = 0; i < 16; i++) {
             assertEquals(26 << 16 | 179 << 8 | 230, image.rgb(i % 8, i / 8));
         }

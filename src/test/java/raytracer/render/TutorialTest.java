@@ -64,7 +64,7 @@ class TutorialTest {
             BufferedImage shown = ImageIO.read(PICTURES.resolve("tutorial-" + n + ".png").toFile());
             Scene scene = parsed.scene().withSize(shown.getWidth(), shown.getHeight());
             Image image = new Image(scene.width(), scene.height());
-            new Renderer(Tracer.compile(scene, 1), new Sampling.Grid(4), 1, Region.whole(scene.width(), scene.height()),
+            new Renderer(Tracer.compile(scene), new Sampling.Grid(4), 1, Region.whole(scene.width(), scene.height()),
                     image).render();
             assertEquals(0, Difference.between(image.toBufferedImage(), shown).pixels(), "step " + n);
         }

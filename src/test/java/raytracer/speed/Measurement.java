@@ -55,7 +55,7 @@ final class Measurement {
 
     Image picture() {
         Image image = new Image(scene.width(), scene.height());
-        Rendering.of(Tracer.compile(scene, CORES), CORES, image).render();
+        Rendering.of(Tracer.compile(scene), CORES, image).render();
         return image;
     }
 
@@ -88,7 +88,7 @@ final class Measurement {
             long start = System.nanoTime();
             Scene parsed = parse();
             long parsedAt = System.nanoTime();
-            Tracer tracer = Tracer.compile(parsed, CORES);
+            Tracer tracer = Tracer.compile(parsed);
             long builtAt = System.nanoTime();
             Rendering.of(tracer, CORES, image).render();
             long tracedAt = System.nanoTime();
@@ -125,7 +125,7 @@ final class Measurement {
         double[] build = new double[ROUNDS];
         for (int round = 0; round < ROUNDS; round++) {
             long start = System.nanoTime();
-            Tracer.compile(scene, 1);
+            Tracer.compile(scene);
             build[round] = (System.nanoTime() - start) / 1e6;
         }
         return new double[] {median(build), traceInTurns(List.of(scene), new RayCounts[1])[0]};
@@ -133,7 +133,7 @@ final class Measurement {
 
     private static double[] traceInTurns(List<Scene> scenes, RayCounts[] counts) {
         List<Tracer> tracers = new ArrayList<>();
-        scenes.forEach(s -> tracers.add(Tracer.compile(s, 1)));
+        scenes.forEach(s -> tracers.add(Tracer.compile(s)));
         Image image = new Image(scenes.get(0).width(), scenes.get(0).height());
         double[][] times = new double[scenes.size()][ROUNDS];
         for (int round = -WARM_UP; round < ROUNDS; round++) {

@@ -37,7 +37,7 @@ class RandomThinThings {
         for (Family family : Family.values()) {
             for (int seed = from; seed < from + seeds; seed++) {
                 Scene scene = Scenes.parse(new Maker(family, seed).scene()).scene();
-                Tracer tracer = Tracer.compile(scene, THREADS);
+                Tracer tracer = Tracer.compile(scene);
                 Canvas reference = render(scene, tracer, new Sampling.Lattice(REFERENCE, 1));
                 for (int aim : AIMS) {
                     pictures++;

@@ -42,7 +42,7 @@ class SamplesAtEqualError {
     private String compare(String name, int width, int height) throws Exception {
         String text = Files.readString(Path.of("scenes", name + ".scene"));
         scene = Scenes.parse(text).scene().withSize(width, height);
-        tracer = Tracer.compile(scene, THREADS);
+        tracer = Tracer.compile(scene);
         Canvas half = render(new Sampling.Lattice(128, 1)), other = render(new Sampling.Lattice(128, 2));
         Canvas reference = Canvas.mean(half, other);
         double floor = half.rmse(other) / 2;

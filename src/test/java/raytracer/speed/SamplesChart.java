@@ -61,7 +61,7 @@ class SamplesChart {
     @Test
     void ofTheShowPiece() throws Exception {
         scene = Scenes.parse(Files.readString(Path.of("scenes", "final.scene"))).scene();
-        tracer = Tracer.compile(scene, THREADS);
+        tracer = Tracer.compile(scene);
         Files.writeString(folder.resolve("scene.pov"), PovScene.of(scene));
         Map<String, Sampling> ours = new LinkedHashMap<>();
         for (int n : new int[] {1, 2, 3, 4, 6, 8}) {

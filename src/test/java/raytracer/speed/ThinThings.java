@@ -53,7 +53,7 @@ class ThinThings {
     }
 
     private void measure(String name, Scene scene) {
-        Tracer tracer = Tracer.compile(scene, THREADS);
+        Tracer tracer = Tracer.compile(scene);
         Canvas reference = render(scene, tracer, new Sampling.Lattice(REFERENCE, 1), new RayCounts[1]);
         for (int aim : AIMS) {
             RayCounts[] counts = new RayCounts[1];

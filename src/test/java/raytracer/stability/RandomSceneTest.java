@@ -54,7 +54,7 @@ class RandomSceneTest {
             throw new AssertionError(text, e);
         }
         Image image = new Image(WIDTH, HEIGHT);
-        Rendering.of(Tracer.compile(scene, 1), 1, image).render();
+        Rendering.of(Tracer.compile(scene), 1, image).render();
         ExactRenderer exact = new ExactRenderer(scene);
         return IntStream.range(0, WIDTH * HEIGHT)
                 .filter(i -> image.rgb(i % WIDTH, i / WIDTH) != exact.pixel(i % WIDTH, i / WIDTH)).count();

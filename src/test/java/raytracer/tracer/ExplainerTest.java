@@ -44,7 +44,7 @@ class ExplainerTest {
     private static void assertAddsUp(Scene scene) {
         Image picture = new Image(scene.width(), scene.height()), sums = new Image(scene.width(), scene.height());
         double[] traced = Pictures.trace(scene);
-        Explainer explainer = Tracer.compile(scene, 1).newExplainer();
+        Explainer explainer = Tracer.compile(scene).newExplainer();
         for (int y = 0; y < scene.height(); y++) {
             for (int x = 0; x < scene.width(); x++) {
                 int i = 3 * (y * scene.width() + x);
@@ -83,7 +83,7 @@ class ExplainerTest {
     void namesWhatIsAsNear() throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 5 0 0 0 0 1 0 45\nambient 1 0 0\nsphere 0 0 0 1\n"
                 + "plane 0 0 1 0 0 1\nsphere 0 0 -3 1\n").scene();
-        Explainer.Step step = Tracer.compile(scene, 1).newExplainer().explain(0, 0).steps().get(0);
+        Explainer.Step step = Tracer.compile(scene).newExplainer().explain(0, 0).steps().get(0);
         assertEquals(0, step.hit().surface());
         assertEquals(List.of(1), step.asNear());
     }
@@ -92,7 +92,7 @@ class ExplainerTest {
     void namesWhatBlocksALight() throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 5 0 0 0 0 1 0 45\npoint 0 0 9 1 1 1\npoint 0 8 0 1 1 1\n"
                 + "directional 0 0 1 1 1 1\ndiffuse 1 1 1\nplane 0 0 0 0 0 1\nsphere 0 0 7 .5\n").scene();
-        List<Explainer.Lit> lights = Tracer.compile(scene, 1).newExplainer().explain(0, 0).steps().get(0).lights();
+        List<Explainer.Lit> lights = Tracer.compile(scene).newExplainer().explain(0, 0).steps().get(0).lights();
         assertTrue(lights.get(0).isBlocked());
         assertEquals(1, lights.get(0).blocker());
         assertEquals(6.5, lights.get(0).blockedAt(), 1e-12);

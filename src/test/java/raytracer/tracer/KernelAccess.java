@@ -1,6 +1,5 @@
 package raytracer.tracer;
 
-import java.util.concurrent.ForkJoinPool;
 import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
@@ -26,7 +25,7 @@ public final class KernelAccess {
      */
     public KernelAccess(String shapes, Vector[] origin, Vector[] direction, int[] targets) throws Exception {
         Scene scene = Scenes.parse("size 1 1\ncamera 0 0 1 0 0 0 0 1 0 45\n" + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene);
         surfaces = compiler.surfaces().get(0);
         int[] numberOf = new int[compiler.table().declared().length];
         for (int surface = 0; surface < numberOf.length; surface++) {

@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
-import java.util.concurrent.ForkJoinPool;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -113,7 +112,7 @@ class LawsTest {
     void doesNotDependOnHowItIsCutIntoTiles() throws Exception {
         String text = scene(1, false, 0);
         double[] whole = Pictures.trace(text);
-        Tracer tracer = Tracer.compile(Scenes.parse(text).scene(), 1);
+        Tracer tracer = Tracer.compile(Scenes.parse(text).scene());
         int[] seen = {0};
         for (int top = 0; top < 30; top += 7) {
             for (int left = 0; left < 40; left += 3) {
@@ -140,7 +139,7 @@ class LawsTest {
             spheres.add(new Shape.Sphere(new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)),
                     .05 + random.nextDouble() / 10, Material.DEFAULT));
         }
-        Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Bvh.LEAF_SIZE, ForkJoinPool.commonPool());
+        Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Bvh.LEAF_SIZE);
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
         Surfaces with = new Spheres(ordered, 0, tree);

@@ -15,7 +15,7 @@ public final class Pictures {
     public static double[] trace(Scene scene) {
         double[] colours = new double[3 * scene.width() * scene.height()];
         Region all = Region.whole(scene.width(), scene.height());
-        new Renderer(Tracer.compile(scene, 2), Sampling.CENTRES, 1, all, (x, y, columns, rows, red, green, blue) -> {
+        new Renderer(Tracer.compile(scene), Sampling.CENTRES, 1, all, (x, y, columns, rows, red, green, blue) -> {
             for (int k = 0; k < columns * rows; k++) {
                 int i = 3 * ((y + k / columns) * scene.width() + x + k % columns);
                 colours[i] = red[k];

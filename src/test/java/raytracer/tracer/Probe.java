@@ -1,7 +1,6 @@
 package raytracer.tracer;
 
 import java.util.List;
-import java.util.concurrent.ForkJoinPool;
 import raytracer.parser.Scenes;
 import raytracer.scene.Colour;
 import raytracer.scene.Scene;
@@ -33,7 +32,7 @@ public final class Probe {
 
     public Probe(String shapes) throws Exception {
         Scene scene = Scenes.parse(HEAD + shapes).scene();
-        SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+        SurfaceCompiler compiler = new SurfaceCompiler(scene);
         surfaces = compiler.surfaces();
         table = compiler.table();
         rays = new Rays();

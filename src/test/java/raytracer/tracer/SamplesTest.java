@@ -36,7 +36,7 @@ class SamplesTest {
     @DisplayName("get the colours that each gets alone")
     void doNotDependOnOneAnother(String name) throws Exception {
         Scene scene = Scenes.parse(Files.readString(Path.of("scenes", name + ".scene"))).scene().withSize(WIDTH, HEIGHT);
-        TileTracer tracer = Tracer.compile(scene, 1).newTileTracer();
+        TileTracer tracer = Tracer.compile(scene).newTileTracer();
         Samples together = new Samples(), alone = new Samples();
         for (int top = 0; top < HEIGHT; top += SIDE) {
             for (int left = 0; left < WIDTH; left += SIDE) {
@@ -61,7 +61,7 @@ class SamplesTest {
     @DisplayName("at the centres of a rectangle's pixels get the colours that they get as points like any")
     void areTheSameAsCentres(String name) throws Exception {
         Scene scene = Scenes.parse(Files.readString(Path.of("scenes", name + ".scene"))).scene().withSize(WIDTH, HEIGHT);
-        TileTracer tracer = Tracer.compile(scene, 1).newTileTracer();
+        TileTracer tracer = Tracer.compile(scene).newTileTracer();
         Samples centres = new Samples(), points = new Samples();
         for (int top = 0; top < HEIGHT; top += 13) {
             for (int left = 0; left < WIDTH; left += SIDE) {

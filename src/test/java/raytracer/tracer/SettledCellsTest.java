@@ -24,7 +24,7 @@ class SettledCellsTest {
             SIDE / 2.0, SIDE / 2.0);
 
     private static boolean[] settled(String text) throws Exception {
-        return Tracer.compile(Scenes.parse(VIEW + text).scene(), 1).newTileTracer()
+        return Tracer.compile(Scenes.parse(VIEW + text).scene()).newTileTracer()
                 .traceCorners(0, 0, SIDE, SIDE, TOLERANCE, new Samples());
     }
 

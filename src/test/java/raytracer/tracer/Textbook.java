@@ -2,7 +2,6 @@ package raytracer.tracer;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ForkJoinPool;
 import raytracer.image.Image;
 import raytracer.scene.Colour;
 import raytracer.scene.Light;
@@ -60,10 +59,9 @@ public final class Textbook {
                 }
             }
         }
-        ForkJoinPool pool = ForkJoinPool.commonPool();
-        sphereTree = BvhBuilder.build(spheres.size(), new SphereBounds(spheres), Bvh.LEAF_SIZE, pool);
+        sphereTree = BvhBuilder.build(spheres.size(), new SphereBounds(spheres), Bvh.LEAF_SIZE);
         triangleTree = BvhBuilder.build(
-                scene.mesh().triangles(), new TriangleBounds(scene.mesh()), Bvh.LEAF_SIZE, pool);
+                scene.mesh().triangles(), new TriangleBounds(scene.mesh()), Bvh.LEAF_SIZE);
     }
 
     /** Renders on the calling thread. */

@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
@@ -49,7 +48,7 @@ class TiesTest {
             for (Light light : scene.lights()) {
                 lights.add(LightSource.of(light));
             }
-            SurfaceCompiler compiler = new SurfaceCompiler(scene, ForkJoinPool.commonPool());
+            SurfaceCompiler compiler = new SurfaceCompiler(scene);
             surfaces = compiler.surfaces();
             table = compiler.table();
             maxDepth = scene.maxDepth();

@@ -1,51 +1,27 @@
 package raytracer.tracer.bvh;
 
-import java.util.concurrent.ForkJoinPool;
-
-/** The box around numbered primitives, and how wide the widest of them is. */
-public final class Extent {
-
-    private final double[] box = new double[6];
-    private double widest;
-
-    private Extent() {
-        for (int axis = 0; axis < 3; axis++) {
-            box[axis] = Double.POSITIVE_INFINITY;
-            box[axis + 3] = Double.NEGATIVE_INFINITY;
-        }
-    }
+/**
+ * The box around numbered primitives, and how wide the widest of them is.
+ *
+ * @param box    least x, y, z, then greatest x, y, z; with no primitives, from infinity to negative infinity
+ * @param widest the greatest of any primitive's lengths
+ */
+record Extent(double[] box, double widest) {
 
     /** Of the primitives from one place in an order on. */
-    static Extent of(int[] order, int from, Bounds bounds, ForkJoinPool pool) {
-        Extent all = new Extent();
-        ParallelRange.run(pool, from, order.length, new Inclusion(order, bounds, all));
-        return all;
-    }
-
-    private record Inclusion(int[] order, Bounds bounds, Extent all) implements ParallelRange.Work {
-        @Override
-        public void over(int from, int to) {
-            Extent part = new Extent();
-            double[] primitive = new double[6];
-            for (int k = from; k < to; k++) {
-                bounds.of(order[k], primitive);
-                part.include(primitive, width(primitive));
+    static Extent of(int[] order, int from, Bounds bounds) {
+        double inf = Double.POSITIVE_INFINITY, widest = 0;
+        double[] all = {inf, inf, inf, -inf, -inf, -inf};
+        double[] box = new double[6];
+        for (int i = from; i < order.length; i++) {
+            bounds.of(order[i], box);
+            for (int axis = 0; axis < 3; axis++) {
+                all[axis] = Math.min(all[axis], box[axis]);
+                all[axis + 3] = Math.max(all[axis + 3], box[axis + 3]);
             }
-            all.merge(part);
+            widest = Math.max(widest, width(box));
         }
-    }
-
-    /** The same comes out in whatever order threads do this. */
-    private synchronized void merge(Extent part) {
-        include(part.box, part.widest);
-    }
-
-    private void include(double[] other, double otherWidest) {
-        for (int axis = 0; axis < 3; axis++) {
-            box[axis] = Math.min(box[axis], other[axis]);
-            box[axis + 3] = Math.max(box[axis + 3], other[axis + 3]);
-        }
-        widest = Math.max(widest, otherWidest);
+        return new Extent(all, widest);
     }
 
     /** The greatest of a box's three lengths. */
@@ -53,18 +29,14 @@ public final class Extent {
         return Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
     }
 
-    /** Negative infinity if there are no primitives. */
-    double width() {
-        return width(box);
+    /** The space in which the box is in the middle and from a half to less than 1 wide on either side. */
+    TreeSpace space() {
+        double width = width(box);
+        return new TreeSpace(middle(0), middle(1), middle(2),
+                width > 0 ? Math.scalb(1.0, -Math.getExponent(width)) : 1);
     }
 
-    /** The greatest of any primitive's lengths. */
-    double widest() {
-        return widest;
-    }
-
-    /** Of the box, along one axis; not a number if there are no primitives. */
-    double middle(int axis) {
+    private double middle(int axis) {
         return box[axis] / 2 + box[axis + 3] / 2;
     }
 }

@@ -1,24 +1,15 @@
 package raytracer.tracer.bvh;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 
-/**
- * Nodes of a {@link Bvh} in the making: a growing list, to which subtrees are grafted that were made elsewhere. All are
- * copied to one place once, at the end: each large array on the way would have the garbage collector look at the heap.
- */
-public final class Nodes {
+/** Nodes of a {@link Bvh} in the making: a growing list. */
+final class Nodes {
 
-    /** In nodes; a list grows by half of itself. */
+    /** In nodes; the list grows by half of itself. */
     private static final int FIRST_CAPACITY = 64;
 
     private float[] numbers = new float[FIRST_CAPACITY * Bvh.NODE_STRIDE];
     private int count;
-    private final List<Graft> grafts = new ArrayList<>();
-
-    /** A child that is the first node of another list. */
-    private record Graft(int node, int child, Nodes nodes) { }
 
     /** Adds a node without children; returns its number. */
     int add() {
@@ -50,41 +41,8 @@ public final class Nodes {
         numbers[node * Bvh.NODE_STRIDE + Bvh.CHILD + child] = Float.intBitsToFloat(value);
     }
 
-    /** Makes the first of other nodes a child; they must be complete. */
-    void graft(int node, int child, Nodes other) {
-        grafts.add(new Graft(node, child, other));
-    }
-
-    /** {@link Bvh#NODE_STRIDE} a node: these, then those of each graft. */
+    /** {@link Bvh#NODE_STRIDE} a node. */
     float[] numbers() {
-        float[] all = new float[Math.multiplyExact(size(), Bvh.NODE_STRIDE)];
-        copy(all, 0);
-        return all;
-    }
-
-    private int size() {
-        int size = count;
-        for (Graft graft : grafts) {
-            size += graft.nodes.size();
-        }
-        return size;
-    }
-
-    /** Copies all to another place, where the first becomes this number; returns the number behind the last. */
-    private int copy(float[] all, int first) {
-        System.arraycopy(numbers, 0, all, first * Bvh.NODE_STRIDE, count * Bvh.NODE_STRIDE);
-        for (int node = first; node < first + count; node++) {
-            for (int child = 0; child < Bvh.WIDTH; child++) {
-                int at = node * Bvh.NODE_STRIDE + Bvh.CHILD + child;
-                int old = Float.floatToRawIntBits(all[at]);
-                all[at] = Float.intBitsToFloat(old < 0 ? old : old + first);
-            }
-        }
-        int end = first + count;
-        for (Graft graft : grafts) {
-            all[(first + graft.node) * Bvh.NODE_STRIDE + Bvh.CHILD + graft.child] = Float.intBitsToFloat(end);
-            end = graft.nodes.copy(all, end);
-        }
-        return end;
+        return Arrays.copyOf(numbers, count * Bvh.NODE_STRIDE);
     }
 }

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * Hierarchies, 2007). Boxes move together with their primitives, so that every pass reads memory in order. One object
  * serves range after range.
  */
-public final class SahSplitter {
+final class SahSplitter {
 
     private static final int BINS = 16;
 
@@ -17,7 +17,6 @@ public final class SahSplitter {
 
     private final int[] primitives;
     private final float[] boxes;
-    private final int offset;
 
     private final int[] counts = new int[BINS];
     private final float[][] bins = new float[BINS][6];
@@ -28,12 +27,11 @@ public final class SahSplitter {
 
     /**
      * @param primitives primitives in some order, which splitting changes
-     * @param boxes  6 numbers a primitive, from primitive number {@code offset} of that order
+     * @param boxes      6 numbers a primitive, in that order
      */
-    SahSplitter(int[] primitives, float[] boxes, int offset) {
+    SahSplitter(int[] primitives, float[] boxes) {
         this.primitives = primitives;
         this.boxes = boxes;
-        this.offset = offset;
     }
 
     /**
@@ -86,7 +84,7 @@ public final class SahSplitter {
     private void enclose(int from, int to, float[] box) {
         clear(box);
         for (int i = from; i < to; i++) {
-            extend(box, boxes, 6 * (i - offset));
+            extend(box, boxes, 6 * i);
         }
     }
 
@@ -94,7 +92,7 @@ public final class SahSplitter {
     private float[] centres(int from, int to) {
         float minX = Float.POSITIVE_INFINITY, minY = minX, minZ = minX;
         float maxX = Float.NEGATIVE_INFINITY, maxY = maxX, maxZ = maxX;
-        for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
+        for (int i = 6 * from; i < 6 * to; i += 6) {
             float x = boxes[i] + boxes[i + 3], y = boxes[i + 1] + boxes[i + 4], z = boxes[i + 2] + boxes[i + 5];
             minX = x < minX ? x : minX;
             minY = y < minY ? y : minY;
@@ -120,7 +118,7 @@ public final class SahSplitter {
             counts[bin] = 0;
             clear(bins[bin]);
         }
-        for (int i = 6 * (from - offset); i < 6 * (to - offset); i += 6) {
+        for (int i = 6 * from; i < 6 * to; i += 6) {
             int bin = bin(i, axis, min, binsPerUnit);
             counts[bin]++;
             extend(bins[bin], boxes, i);
@@ -157,10 +155,10 @@ public final class SahSplitter {
         int i = from;
         int j = to;
         while (true) {
-            while (i < j && bin(6 * (i - offset), axis, min, binsPerUnit) < firstRight) {
+            while (i < j && bin(6 * i, axis, min, binsPerUnit) < firstRight) {
                 i++;
             }
-            while (i < j && bin(6 * (j - 1 - offset), axis, min, binsPerUnit) >= firstRight) {
+            while (i < j && bin(6 * (j - 1), axis, min, binsPerUnit) >= firstRight) {
                 j--;
             }
             if (i == j) {
@@ -175,7 +173,7 @@ public final class SahSplitter {
         primitives[i] = primitives[j];
         primitives[j] = primitive;
         for (int side = 0; side < 6; side++) {
-            int a = 6 * (i - offset) + side, b = 6 * (j - offset) + side;
+            int a = 6 * i + side, b = 6 * j + side;
             float value = boxes[a];
             boxes[a] = boxes[b];
             boxes[b] = value;

@@ -1,5 +1,7 @@
 package raytracer.tracer.bvh;
 
+import raytracer.scene.Vector;
+
 /**
  * The space of a tree: (world - centre) * scale. Centred, so that a scene far from the origin keeps its digits;
  * scaled by a power of two, so that a scene of another unit gets the same tree.
@@ -16,6 +18,10 @@ public record TreeSpace(double centreX, double centreY, double centreZ, double s
 
     public double z(double worldZ) {
         return (worldZ - centreZ) * scale;
+    }
+
+    public Vector of(Vector world) {
+        return new Vector(x(world.x()), y(world.y()), z(world.z()));
     }
 
     /** The coordinate on an axis: 0 is x, 1 y, 2 z. */

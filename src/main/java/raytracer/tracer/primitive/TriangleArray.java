@@ -37,22 +37,21 @@ final class TriangleArray {
     /** By triangle: the unit normal; then |x| + |y| + |z| of two edges, summed: no edge is longer. */
     private final double[] numbers;
 
-    /** Each triangle must be {@link #set} before it is used. */
     TriangleArray(Mesh mesh, int[] order) {
         this.mesh = mesh;
         this.order = order;
         numbers = new double[Math.multiplyExact(STRIDE, order.length)];
+        for (int k = 0; k < order.length; k++) {
+            set(STRIDE * k, mesh.corner(order[k], 0), mesh.corner(order[k], 1), mesh.corner(order[k], 2));
+        }
     }
 
-    void set(int k) {
-        Vector a = mesh.corner(order[k], 0);
-        Vector ab = mesh.corner(order[k], 1).minus(a), ac = mesh.corner(order[k], 2).minus(a);
-        Vector n = ab.cross(ac).unit();
-        numbers[STRIDE * k] = n.x();
-        numbers[STRIDE * k + 1] = n.y();
-        numbers[STRIDE * k + 2] = n.z();
-        numbers[STRIDE * k + 3] = Math.abs(ab.x()) + Math.abs(ab.y()) + Math.abs(ab.z())
-                + Math.abs(ac.x()) + Math.abs(ac.y()) + Math.abs(ac.z());
+    private void set(int at, Vector a, Vector b, Vector c) {
+        Vector ab = b.minus(a), ac = c.minus(a), n = ab.cross(ac).unit();
+        numbers[at] = n.x();
+        numbers[at + 1] = n.y();
+        numbers[at + 2] = n.z();
+        numbers[at + 3] = ab.l1Norm() + ac.l1Norm();
     }
 
     double nx(int k) {

@@ -1,7 +1,9 @@
 package raytracer.tracer.primitive;
 
 import raytracer.scene.Mesh;
+import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bvh;
+import raytracer.tracer.bvh.TreeSpace;
 import raytracer.tracer.surface.SieveLine;
 
 /**
@@ -11,7 +13,7 @@ import raytracer.tracer.surface.SieveLine;
  * coordinates; Shevtsov, Soupikov and Kapustin, Ray-Triangle Intersection Algorithm for Modern CPU Architectures,
  * 2007, who decide by it; here it only sorts out).
  */
-public final class TriangleSieve {
+final class TriangleSieve {
 
     private static final int STRIDE = 16;
 
@@ -21,59 +23,33 @@ public final class TriangleSieve {
      */
     private static final float SHORTEST = 0x1p-29f;
 
-    private final Mesh mesh;
-    private final Bvh bvh;
     private final float[] numbers;
 
-    /**
-     * Sorts out nothing yet: each triangle must be {@link #set}.
-     *
-     * @param bvh of all triangles of the mesh: lines will come in its space
-     */
+    /** @param bvh of all triangles of the mesh: lines will come in its space */
     TriangleSieve(Mesh mesh, Bvh bvh) {
-        this.mesh = mesh;
-        this.bvh = bvh;
-        numbers = new float[Math.multiplyExact(STRIDE, bvh.order().length)];
+        int[] order = bvh.order();
+        TreeSpace space = bvh.space();
+        numbers = new float[Math.multiplyExact(STRIDE, order.length)];
+        for (int k = 0; k < order.length; k++) {
+            set(STRIDE * k, space.of(mesh.corner(order[k], 0)), space.of(mesh.corner(order[k], 1)),
+                    space.of(mesh.corner(order[k], 2)));
+        }
     }
 
-    /** Takes in triangle k. */
-    void set(int k) {
-        double ax = x(k, 0), ay = y(k, 0), az = z(k, 0);
-        double bx = x(k, 1), by = y(k, 1), bz = z(k, 1);
-        double cx = x(k, 2), cy = y(k, 2), cz = z(k, 2);
-        int at = STRIDE * k;
-        set(at, bx - ax, by - ay, bz - az);
-        set(at + 3, cx - bx, cy - by, cz - bz);
-        setCross(at + 6, ax, ay, az, bx, by, bz);
-        setCross(at + 9, bx, by, bz, cx, cy, cz);
-        setCross(at + 12, ax, ay, az, cx, cy, cz);
-        double edges = Math.abs(bx - ax) + Math.abs(by - ay) + Math.abs(bz - az)
-                + Math.abs(cx - bx) + Math.abs(cy - by) + Math.abs(cz - bz);
-        numbers[at + 15] = Math.max((float) edges, SHORTEST);
+    private void set(int at, Vector a, Vector b, Vector c) {
+        Vector ab = b.minus(a), bc = c.minus(b);
+        set(at, ab);
+        set(at + 3, bc);
+        set(at + 6, a.cross(b));
+        set(at + 9, b.cross(c));
+        set(at + 12, a.cross(c));
+        numbers[at + 15] = Math.max((float) (ab.l1Norm() + bc.l1Norm()), SHORTEST);
     }
 
-    // A corner in tree space.
-
-    private double x(int k, int corner) {
-        return bvh.space().x(mesh.coordinate(bvh.order()[k], corner, 0));
-    }
-
-    private double y(int k, int corner) {
-        return bvh.space().y(mesh.coordinate(bvh.order()[k], corner, 1));
-    }
-
-    private double z(int k, int corner) {
-        return bvh.space().z(mesh.coordinate(bvh.order()[k], corner, 2));
-    }
-
-    private void setCross(int at, double ax, double ay, double az, double bx, double by, double bz) {
-        set(at, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
-    }
-
-    private void set(int at, double x, double y, double z) {
-        numbers[at] = (float) x;
-        numbers[at + 1] = (float) y;
-        numbers[at + 2] = (float) z;
+    private void set(int at, Vector v) {
+        numbers[at] = (float) v.x();
+        numbers[at + 1] = (float) v.y();
+        numbers[at + 2] = (float) v.z();
     }
 
     /**

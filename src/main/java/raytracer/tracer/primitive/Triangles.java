@@ -1,12 +1,10 @@
 package raytracer.tracer.primitive;
 
-import java.util.concurrent.ForkJoinPool;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.bvh.ParallelRange;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
@@ -37,16 +35,10 @@ public final class Triangles extends Surfaces {
     private final TriangleSieve sieve;
 
     /** @param bvh of all triangles of the mesh */
-    public Triangles(Mesh mesh, int firstSurface, Bvh bvh, ForkJoinPool pool) {
+    public Triangles(Mesh mesh, int firstSurface, Bvh bvh) {
         super("triangles", firstSurface, bvh);
         data = new TriangleArray(mesh, bvh.order());
         sieve = new TriangleSieve(mesh, bvh);
-        ParallelRange.run(pool, 0, bvh.order().length, (from, to) -> {
-            for (int k = from; k < to; k++) {
-                data.set(k);
-                sieve.set(k);
-            }
-        });
     }
 
     @Override
@@ -167,7 +159,7 @@ public final class Triangles extends Surfaces {
             product[i] = Math.min(ab[i] * bc[i], Math.min(bc[i] * ca[i], ca[i] * ab[i]));
         }
         double edges = data.edges(k);
-        double l1Norm = Math.abs(a.x()) + Math.abs(a.y()) + Math.abs(a.z()) + edges + workspace.farthest;
+        double l1Norm = a.l1Norm() + edges + workspace.farthest;
         double max = 4 * edges * l1Norm;
         return -max * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, l1Norm, edges);
     }

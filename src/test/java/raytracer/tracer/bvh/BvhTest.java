@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Random;
-import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -34,24 +33,19 @@ public class BvhTest {
         return cubes;
     }
 
-    public static Bvh build(double[][] boxes, int threads) {
-        ForkJoinPool pool = new ForkJoinPool(threads);
-        try {
-            Bounds bounds = new Bounds() {
-                @Override
-                public void of(int k, double[] box) {
-                    System.arraycopy(boxes[k], 0, box, 0, 6);
-                }
+    public static Bvh build(double[][] boxes) {
+        Bounds bounds = new Bounds() {
+            @Override
+            public void of(int k, double[] box) {
+                System.arraycopy(boxes[k], 0, box, 0, 6);
+            }
 
-                @Override
-                public boolean areSame(int k, int other) {
-                    return Arrays.equals(boxes[k], boxes[other]);
-                }
-            };
-            return BvhBuilder.build(boxes.length, bounds, Bvh.LEAF_SIZE, pool);
-        } finally {
-            pool.shutdown();
-        }
+            @Override
+            public boolean areSame(int k, int other) {
+                return Arrays.equals(boxes[k], boxes[other]);
+            }
+        };
+        return BvhBuilder.build(boxes.length, bounds, Bvh.LEAF_SIZE);
     }
 
     private static BitSet visited(Bvh bvh, Vector o, Vector d, double limit) {
@@ -103,7 +97,7 @@ public class BvhTest {
     @ValueSource(doubles = {0, 10, -1e6, 1e9})
     void leadsEveryRayToEverythingItMeets(double offset) {
         double[][] boxes = cubes(3000, 2, .05, offset, 1);
-        Bvh bvh = build(boxes, 2);
+        Bvh bvh = build(boxes);
         Random random = new Random(2);
         int met = 0;
         for (int i = 0; i < 3000; i++) {
@@ -134,7 +128,7 @@ public class BvhTest {
             double x = 10 * (k % 4), y = .1 * (k / 4);
             boxes[k] = new double[] {x, y, 0, x + 1, y + .1, .1};
         }
-        Bvh bvh = build(boxes, 1);
+        Bvh bvh = build(boxes);
         assertEquals(1, bvh.nodes().length / Bvh.NODE_STRIDE);
         BvhWalk walk = new BvhWalk();
         assertTrue(walk.start(bvh, along > 0 ? -5 : 45, .05, .05, along, 0, 0));
@@ -144,7 +138,7 @@ public class BvhTest {
 
     @Test
     void hasNoFreePlaceBesideALeafThatCouldBeTwo() {
-        Bvh bvh = build(cubes(3000, 2, .05, 0, 1), 2);
+        Bvh bvh = build(cubes(3000, 2, .05, 0, 1));
         int withFreePlaces = 0;
         for (int node = 0; node < bvh.nodes().length; node += Bvh.NODE_STRIDE) {
             int[] children = IntStream.range(node, node + Bvh.WIDTH)
@@ -161,7 +155,7 @@ public class BvhTest {
 
     @Test
     void sparesMostRaysMostThings() {
-        Bvh bvh = build(cubes(3000, 2, .02, 0, 1), 2);
+        Bvh bvh = build(cubes(3000, 2, .02, 0, 1));
         BitSet visited = visited(bvh, new Vector(0, 0, 5), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
         assertTrue(visited.cardinality() < 60, visited.cardinality() + " visited");
     }
@@ -169,7 +163,7 @@ public class BvhTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 4, 5, 8, 9, 50, 100_000})
     void holdsEveryThingOnce(int count) {
-        int[] order = build(cubes(count, 2, .01, 0, 7), 2).order().clone();
+        int[] order = build(cubes(count, 2, .01, 0, 7)).order().clone();
         Arrays.sort(order);
         for (int i = 0; i < count; i++) {
             assertEquals(i, order[i]);
@@ -188,16 +182,8 @@ public class BvhTest {
     @ParameterizedTest
     @ValueSource(ints = {50, 100_000})
     void holdsNoNodeInVain(int count) {
-        Bvh bvh = build(cubes(count, 2, .01, 0, 7), 2);
+        Bvh bvh = build(cubes(count, 2, .01, 0, 7));
         assertEquals(reachable(bvh, bvh.root()), bvh.nodes().length / Bvh.NODE_STRIDE);
-    }
-
-    @Test
-    void isTheSameForAnyNumberOfThreads() {
-        double[][] boxes = cubes(50_000, 2, .01, 0, 7);
-        Bvh one = build(boxes, 1), four = build(boxes, 4);
-        assertArrayEquals(one.order(), four.order());
-        assertArrayEquals(one.nodes(), four.nodes());
     }
 
     @Test
@@ -207,7 +193,7 @@ public class BvhTest {
             double half = 1 + 8.0 * k / boxes.length;
             boxes[k] = new double[] {-half, -half, -half, half, half, half};
         }
-        BitSet visited = visited(build(boxes, 2), new Vector(0, 0, 50), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
+        BitSet visited = visited(build(boxes), new Vector(0, 0, 50), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
         assertEquals(10_000, visited.cardinality());
     }
 
@@ -217,7 +203,7 @@ public class BvhTest {
         for (int k = 0; k < 100; k++) {
             boxes[k] = new double[] {k, 0, 0, k + 1, 1, 0};
         }
-        Bvh bvh = build(boxes, 2);
+        Bvh bvh = build(boxes);
         assertTrue(visited(bvh, new Vector(50.5, .5, 5), new Vector(0, 0, -1), 10).get(50));
         assertTrue(visited(bvh, new Vector(-5, .5, 0), new Vector(1, 0, 0), 200).cardinality() == 100);
     }
@@ -226,7 +212,7 @@ public class BvhTest {
     void keepsWhatIsMuchWiderThanTheRestBeside() {
         double[][] boxes = cubes(1000, 2, .01, 0, 7);
         boxes[500] = new double[] {-1e4, -2e4, -1e4, 1e4, -1, 1e4};
-        Bvh bvh = build(boxes, 2);
+        Bvh bvh = build(boxes);
         assertEquals(1, bvh.oversized());
         assertEquals(500, bvh.order()[0]);
         assertTrue(bvh.space().scale() >= .25, "the tree is as large as the rest");
@@ -240,7 +226,7 @@ public class BvhTest {
         boxes[0] = new double[] {-1, -1, -1, -1, -1, -1};
         boxes[1] = new double[] {1, 1, 1, 1, 1, 1};
         boxes[70_000] = new double[] {-part, 0, 0, part, .1, .1};
-        Bvh bvh = build(boxes, 2);
+        Bvh bvh = build(boxes);
         assertEquals(beside, bvh.oversized());
         assertEquals(beside, IntStream.range(0, bvh.oversized()).filter(k -> bvh.order()[k] == 70_000).count());
     }
@@ -252,7 +238,7 @@ public class BvhTest {
             // The same three over and over: 11, 12 and 13.
             boxes[k] = boxes[11 + k % 3];
         }
-        Bvh bvh = build(boxes, 2);
+        Bvh bvh = build(boxes);
         for (int k = 11; k < 14; k++) {
             Vector middle = new Vector((boxes[k][0] + boxes[k][3]) / 2, (boxes[k][1] + boxes[k][4]) / 2,
                     (boxes[k][2] + boxes[k][5]) / 2);

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
-import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -37,14 +36,7 @@ class TriangleSieveTest {
     }
 
     private static Bvh tree(Mesh mesh) {
-        return BvhBuilder.build(COUNT, new TriangleBounds(mesh),
-                Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
-    }
-
-    private static TriangleSieve sieve(Mesh mesh, Bvh bvh) {
-        TriangleSieve sieve = new TriangleSieve(mesh, bvh);
-        IntStream.range(0, COUNT).forEach(sieve::set);
-        return sieve;
+        return BvhBuilder.build(COUNT, new TriangleBounds(mesh), Triangles.LEAF_SIZE);
     }
 
     private static boolean lets(TriangleSieve sieve, SieveLine line, int k) {
@@ -68,7 +60,7 @@ class TriangleSieveTest {
         Random random = new Random(5);
         Mesh mesh = triangles(random, offset, size);
         Bvh bvh = tree(mesh);
-        TriangleSieve sieve = sieve(mesh, bvh);
+        TriangleSieve sieve = new TriangleSieve(mesh, bvh);
         SieveLine line = new SieveLine();
         BvhWalk walk = new BvhWalk();
         int stopped = 0;
@@ -98,7 +90,7 @@ class TriangleSieveTest {
         Random random = new Random(6);
         Mesh mesh = triangles(random, 0, .5);
         Bvh bvh = tree(mesh);
-        TriangleSieve sieve = sieve(mesh, bvh);
+        TriangleSieve sieve = new TriangleSieve(mesh, bvh);
         SieveLine line = new SieveLine();
         BvhWalk walk = new BvhWalk();
         for (int i = 0; i < 20_000; i++) {
@@ -122,7 +114,7 @@ class TriangleSieveTest {
         Random random = new Random(7);
         Mesh mesh = triangles(random, 0, 1);
         Bvh bvh = tree(mesh);
-        TriangleSieve sieve = sieve(mesh, bvh);
+        TriangleSieve sieve = new TriangleSieve(mesh, bvh);
         SieveLine line = new SieveLine();
         int some = 0;
         for (int i = 0; i < 2000; i++) {

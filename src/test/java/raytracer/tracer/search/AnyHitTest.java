@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -51,7 +50,7 @@ class AnyHitTest {
         for (int k = 0; k < COUNT; k++) {
             spheres.add(new Shape.Sphere(within(1), .06 * (.1 + random.nextDouble()), Material.DEFAULT));
         }
-        Bvh bvh = BvhBuilder.build(COUNT, new SphereBounds(spheres), Spheres.LEAF_SIZE, ForkJoinPool.commonPool());
+        Bvh bvh = BvhBuilder.build(COUNT, new SphereBounds(spheres), Spheres.LEAF_SIZE);
         return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), 0, bvh);
     }
 
@@ -66,8 +65,8 @@ class AnyHitTest {
             mesh.addTriangle(3 * k, 3 * k + 1, 3 * k + 2);
         }
         Mesh all = mesh.build();
-        Bvh bvh = BvhBuilder.build(COUNT, new TriangleBounds(all), Triangles.LEAF_SIZE, ForkJoinPool.commonPool());
-        return new Triangles(all, 0, bvh, ForkJoinPool.commonPool());
+        Bvh bvh = BvhBuilder.build(COUNT, new TriangleBounds(all), Triangles.LEAF_SIZE);
+        return new Triangles(all, 0, bvh);
     }
 
     @ParameterizedTest(name = "finds what trying each surface finds: points within {0}, directional light: {1}")

@@ -59,7 +59,7 @@ class BeamTest {
     @CsvSource({"0, 0, .01", "0, .02, .005", "0, .02, 0", "1e6, .01, .01", "-1e9, .01, .01", "0, .5, .3"})
     void holdsAllThatItsRaysMeet(double offset, double apart, double spread) {
         double[][] boxes = BvhTest.cubes(300, 2, .04, offset, 1);
-        Bvh bvh = BvhTest.build(boxes, 2);
+        Bvh bvh = BvhTest.build(boxes);
         Random random = new Random(2);
         int met = 0, wide = 0;
         for (int tile = 0; tile < 800; tile++) {
@@ -95,7 +95,7 @@ class BeamTest {
     @CsvSource({"0, .1", "1e6, .02", "-1e9, .1"})
     void holdsAllThatMayBeBeforeALight(double offset, double apart) {
         double[][] boxes = BvhTest.cubes(300, 2, .04, offset, 1);
-        Bvh bvh = BvhTest.build(boxes, 2);
+        Bvh bvh = BvhTest.build(boxes);
         Random random = new Random(4);
         int met = 0;
         for (int tile = 0; tile < 800; tile++) {
@@ -133,7 +133,7 @@ class BeamTest {
     @CsvSource({"0, .002", "0, .1", ".02, .005", ".5, .3"})
     void knowsWhereWalksMayBegin(double apart, double spread) {
         double[][] boxes = BvhTest.cubes(5000, 2, .04, 0, 1);
-        Bvh bvh = BvhTest.build(boxes, 2);
+        Bvh bvh = BvhTest.build(boxes);
         Random random = new Random(5);
         int deep = 0, met = 0;
         for (int tile = 0; tile < 200; tile++) {
@@ -164,7 +164,7 @@ class BeamTest {
 
     @Test
     void givesUpWhenItsRaysGoAllWays() {
-        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
+        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1));
         Random random = new Random(3);
         for (int i = 0; i < RAYS; i++) {
             set(i, new Vector(0, 0, 0), new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit(), 9);
@@ -174,7 +174,7 @@ class BeamTest {
 
     @Test
     void givesUpFromSoFarAwayThatDoublesDoNotReach() {
-        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
+        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1));
         for (int i = 0; i < RAYS; i++) {
             set(i, new Vector(0, 0, 1e12), new Vector(0, 0, -1), Double.POSITIVE_INFINITY);
         }
@@ -183,7 +183,7 @@ class BeamTest {
 
     @Test
     void findsNothingBehindOrBeyond() {
-        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1), 2);
+        Bvh bvh = BvhTest.build(BvhTest.cubes(1000, 2, .01, 0, 1));
         for (int i = 0; i < RAYS; i++) {
             set(i, new Vector(0, 0, 5), new Vector(0, 0, 1), Double.POSITIVE_INFINITY);
         }
