@@ -5,10 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import raytracer.chart.Figure;
 import raytracer.chart.Panel;
 import raytracer.console.Option;
@@ -45,10 +43,7 @@ final class ChartJob {
     private static final int MIN_SAMPLES = 16;
     private static final int MAX_SAMPLES = 1024;
 
-    private static final int MAX_ROUNDS = 15;
-
-    /** Fewer say little of how much times vary. */
-    private static final int SURE_ROUNDS = 4;
+    private static final int MAX_ROUNDS = 9;
 
     private final Scene scene;
     private final Options options;
@@ -177,11 +172,11 @@ final class ChartJob {
     }
 
     /**
-     * In turns, so that what disturbs the machine disturbs all; until their order is sure or the time is up. Settings
-     * whose turn does not come in the first round are left out.
+     * In turns, so that what disturbs the machine disturbs all; until the time is up. Settings whose turn does not come in
+     * the first round are left out.
      */
     private void measure(List<Setting> settings, Canvas reference) {
-        for (int round = 0; round < MAX_ROUNDS && !(round >= SURE_ROUNDS && isOrderSure(settings)); round++) {
+        for (int round = 0; round < MAX_ROUNDS; round++) {
             for (int i = 0; i < settings.size(); i++) {
                 Setting setting = settings.get(i);
                 double expected = round > 0 ? setting.median() : i == 0 ? 0 : settings.get(i - 1).median();
@@ -199,13 +194,6 @@ final class ChartJob {
                 setting.maxDifference = canvas.maxDifference(reference);
             }
         }
-    }
-
-    /** Whether no setting's middle half of times overlaps that of the next faster one. */
-    private static boolean isOrderSure(List<Setting> settings) {
-        List<Setting> sorted = settings.stream().sorted(Comparator.comparingDouble(Setting::median)).toList();
-        return IntStream.range(1, sorted.size())
-                .allMatch(i -> sorted.get(i - 1).quantile(0.75) < sorted.get(i).quantile(0.25));
     }
 
     private Figure figure(List<Setting> settings, double floor) {

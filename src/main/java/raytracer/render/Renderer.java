@@ -1,8 +1,7 @@
 package raytracer.render;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
+import java.util.Collections;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -84,12 +83,8 @@ public final class Renderer {
 
     private RayCounts onAllThreads(ExecutorService pool, Callable<RayCounts> work) {
         try {
-            List<Future<RayCounts>> workers = new ArrayList<>();
-            for (int i = 0; i < threads; i++) {
-                workers.add(pool.submit(work));
-            }
             RayCounts total = RayCounts.ZERO;
-            for (Future<RayCounts> worker : workers) {
+            for (Future<RayCounts> worker : pool.invokeAll(Collections.nCopies(threads, work))) {
                 total = total.plus(worker.get());
             }
             return total;

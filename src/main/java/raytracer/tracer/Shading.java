@@ -41,10 +41,7 @@ final class Shading {
         this.lights = lights;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        anyHit = new Search[surfaces.size()];
-        for (int kind = 0; kind < anyHit.length; kind++) {
-            anyHit[kind] = new AnyHit(surfaces.get(kind), rays, shadows, space);
-        }
+        anyHit = surfaces.stream().map(kind -> new AnyHit(kind, rays, shadows, space)).toArray(Search[]::new);
     }
 
     /** How many shadow rays were traced since this was made. */

@@ -71,10 +71,7 @@ public final class TileTracer {
         ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
         groups = new ShadingGroups(table);
         this.pinhole = pinhole;
-        closestHit = new Search[surfaces.size()];
-        for (int kind = 0; kind < closestHit.length; kind++) {
-            closestHit[kind] = new ClosestHit(surfaces.get(kind), rays, space);
-        }
+        closestHit = surfaces.stream().map(kind -> new ClosestHit(kind, rays, space)).toArray(Search[]::new);
         shading = new Shading(surfaces, lights, rays, space);
         cells = new SettledCells(surfaces, rays, space);
     }
