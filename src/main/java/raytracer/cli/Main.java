@@ -7,9 +7,9 @@ import java.util.Locale;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.Terminal;
-import raytracer.files.Encoding;
 import raytracer.files.Places;
 import raytracer.files.UsageException;
+import raytracer.image.PngFile;
 
 /** The command line. Only this package prints, and only here does the program exit. */
 public final class Main {
@@ -53,7 +53,7 @@ public final class Main {
             return DONE;
         }
         if (!options.has(Option.CHECK) && !options.has(Option.CHART) && !options.has(Option.EXPLAIN)) {
-            Encoding.prepare();
+            PngFile.prepare();
         }
         Terminal terminal = new Terminal(out, err);
         return options.has(Option.WATCH) ? watch(options, terminal) : run(options, terminal);

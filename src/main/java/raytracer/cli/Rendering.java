@@ -6,7 +6,6 @@ import raytracer.console.Options;
 import raytracer.console.ProgressBar;
 import raytracer.console.Stopwatch;
 import raytracer.console.Terminal;
-import raytracer.files.Encoding;
 import raytracer.files.Reference;
 import raytracer.files.UsageException;
 import raytracer.image.Image;
@@ -48,13 +47,15 @@ final class Rendering {
         Comparing comparing = outputs.reference() == null ? null
                 : new Comparing(options, outputs, region.width(), region.height(), terminal);
         Image image = outputs.newImage(region.width(), region.height());
-        Encoding encoding = new Encoding(image, outputs.destination());
-        render(image, encoding);
+        trace(image);
         if (image.undefinedPixels() > 0) {
             terminal.tell(outputs.input().name() + ": a fault in raytracer, please report it: "
                     + image.undefinedPixels() + " pixels have no colour");
             return Main.FAILED;
         }
+        Stopwatch writing = new Stopwatch();
+        outputs.destination().write(image.toBufferedImage());
+        stats.writeMillis = writing.millis();
         tellHowItWent();
         if (image.isBlack() && !options.has(Option.REGION)) {
             terminal.tell(outputs.input().name() + ": warning: the picture is black: " + BlackPicture.reason(parsed));
@@ -62,19 +63,6 @@ final class Rendering {
         Reference.Verdict verdict = comparing == null ? null : comparing.compare(image.toBufferedImage());
         outputs.writeStats(stats.json(scene, outputs.reference(), verdict));
         return verdict == null ? Main.DONE : Comparing.status(verdict);
-    }
-
-    private void render(Image image, Encoding encoding) throws IOException {
-        try {
-            trace(image);
-        } catch (RuntimeException | Error e) {
-            image.fail(new IllegalStateException("the picture cannot be rendered", e));
-            encoding.throwCause();
-            throw e;
-        }
-        Stopwatch writing = new Stopwatch();
-        encoding.await();
-        stats.writeMillis = writing.millis();
     }
 
     private void trace(Image image) {

@@ -122,7 +122,7 @@ final class Stats {
         Runtime java = Runtime.getRuntime();
         return String.format(Locale.ROOT,
                 "traced in %.0f ms: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
-                        + "written %.0f ms later; %d MB of memory in use, %d MB allowed",
+                        + "written in %.0f ms; %d MB of memory in use, %d MB allowed",
                 seconds * 1e3, rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6,
                 writeMillis, java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
     }

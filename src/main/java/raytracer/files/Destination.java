@@ -1,6 +1,6 @@
 package raytracer.files;
 
-import java.awt.image.RenderedImage;
+import java.awt.image.BufferedImage;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -55,7 +55,7 @@ public record Destination(Path file, PrintStream standardOutput) {
                 place, "expected 'output' " + expectation + ", found '" + name + "'; -o FILE writes anywhere");
     }
 
-    public void write(RenderedImage picture) throws IOException {
+    public void write(BufferedImage picture) throws IOException {
         try {
             if (file != null) {
                 OutputFile.write(file, out -> PngFile.write(picture, out));

@@ -1,11 +1,10 @@
 package raytracer.image;
 
-import java.awt.image.RenderedImage;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import javax.imageio.IIOImage;
+import java.util.concurrent.FutureTask;
 import javax.imageio.ImageIO;
-import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
@@ -14,19 +13,23 @@ public final class PngFile {
 
     private PngFile() { }
 
-    /** Loads the library's encoder, which takes a while the first time: for a thread that has nothing else to do. */
+    /**
+     * Lets a thread of its own write a small picture to nowhere: the first one takes the library a tenth of a second. What
+     * goes wrong goes wrong again when a picture is written, and is told then.
+     */
     public static void prepare() {
-        ImageIO.getImageWritersByFormatName("png").next().dispose();
+        Thread thread = new Thread(new FutureTask<>(() -> {
+            write(new BufferedImage(16, 16, BufferedImage.TYPE_3BYTE_BGR), OutputStream.nullOutputStream());
+            return null;
+        }), "encoder");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     /** Writes a picture to a stream, and leaves it open. */
-    public static void write(RenderedImage picture, OutputStream stream) throws IOException {
-        ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+    public static void write(BufferedImage picture, OutputStream stream) throws IOException {
         try (ImageOutputStream out = new MemoryCacheImageOutputStream(stream)) {
-            writer.setOutput(out);
-            writer.write(new IIOImage(picture, null, null));
-        } finally {
-            writer.dispose();
+            ImageIO.write(picture, "png", out);
         }
         stream.flush();
     }
