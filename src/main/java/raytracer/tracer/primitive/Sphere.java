@@ -108,13 +108,6 @@ final class Sphere {
         }
     }
 
-    private void intersect(Rays rays, int i) {
-        double t = distance(rays, i);
-        if (t > 0) {
-            rays.record(i, surface, t);
-        }
-    }
-
     /**
      * The same for rays that start at one point outside: most hit or miss for certain in plain doubles.
      *
@@ -125,7 +118,7 @@ final class Sphere {
         double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
         // Whether a ray hits is certain unless the square of half the chord is nearer to 0 than this.
         double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
-        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, distance = rays.distance;
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz;
         for (int i = from; i < to; i++) {
             double along = x * dx[i] + y * dy[i] + z * dz[i];
             double ex = x - along * dx[i], ey = y - along * dy[i], ez = z - along * dz[i];
@@ -136,13 +129,17 @@ final class Sphere {
                 }
             } else if (along < 0) {
                 double t = power / (Math.sqrt(square) - along);
-                if (t < distance[i] * (1 - Rounding.TIE_SIEVE)) {
-                    rays.hit[i] = surface;
-                    distance[i] = t;
-                } else if (t <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
-                    intersect(rays, i);
+                if (t <= rays.maxDistance(i)) {
+                    rays.record(i, surface, t);
                 }
             }
+        }
+    }
+
+    private void intersect(Rays rays, int i) {
+        double t = distance(rays, i);
+        if (t > 0) {
+            rays.record(i, surface, t);
         }
     }
 
@@ -161,7 +158,7 @@ final class Sphere {
         if (isClear(square, error)) {
             return false;
         }
-        if (rays.hit[i] == surface ? along >= 0 : lightSide > 0 && isPlain(along, square, error)) {
+        if (rays.hit[i] == surface ? along >= 0 : lightSide > 0 && isCertain(along, square, error)) {
             return along < 0 && -along < shadows.distance[i];
         }
         double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
@@ -202,7 +199,7 @@ final class Sphere {
     }
 
     /** Whether a ray clearly starts outside a sphere, and hits it clearly or has it behind. */
-    private boolean isPlain(double along, double square, double error) {
+    private boolean isCertain(double along, double square, double error) {
         double power = along * along - square;
         return power > error * (2 * r + error) + Rounding.passingPower(along * along, r * r)
                 && (along >= 0 || square > 2 * r * Rounding.passing(along, error) + 18 * Rounding.U * r * r);
