@@ -2,6 +2,7 @@ package raytracer.tracer.rays;
 
 import java.util.Arrays;
 import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.arithmetic.Vectors;
 
 /**
@@ -20,6 +21,9 @@ public final class ShadowRays {
     /** How far off a ray's origin may be, in whatever direction. */
     public final double[] originError = new double[Batch.CAPACITY];
 
+    /** Of each coordinate of the direction: the same for all. */
+    public final double[] directionError = new double[Batch.CAPACITY];
+
     /** Whether it matters that the light is seen, and no surface found so far is in its way. */
     public final boolean[] unoccluded = new boolean[Batch.CAPACITY];
 
@@ -35,6 +39,7 @@ public final class ShadowRays {
     /** @param rays that will have arrived where these start */
     public ShadowRays(Rays rays) {
         this.rays = rays;
+        Arrays.fill(directionError, 2 * Rounding.U);
     }
 
     /** Sets out from where rays, from one index to another, have arrived. */

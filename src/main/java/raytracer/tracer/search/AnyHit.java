@@ -1,9 +1,7 @@
 package raytracer.tracer.search;
 
-import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
 
 /**
@@ -18,7 +16,7 @@ public final class AnyHit extends TreeSearch {
     private int lastBlocker = -1;
 
     public AnyHit(Surfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
-        super(surfaces, rays, shadows.direction, space);
+        super(surfaces, rays, shadows.direction, shadows.originError, shadows.directionError, space);
         this.shadows = shadows;
     }
 
@@ -55,11 +53,5 @@ public final class AnyHit extends TreeSearch {
         shadows.unoccluded[ray] = false;
         lastBlocker = k;
         return true;
-    }
-
-    @Override
-    void setDirection(SieveLine line, int i) {
-        line.setDirection(shadows.dx[i], shadows.dy[i], shadows.dz[i], shadows.originError[i] * bvh.space().scale(),
-                2 * Rounding.U);
     }
 }

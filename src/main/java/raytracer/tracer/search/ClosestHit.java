@@ -1,14 +1,13 @@
 package raytracer.tracer.search;
 
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
 
 /** Records the closest hit of each of a batch's rays with surfaces of one kind. */
 public final class ClosestHit extends TreeSearch {
 
     public ClosestHit(Surfaces surfaces, Rays rays, SearchWorkspace space) {
-        super(surfaces, rays, rays.direction, space);
+        super(surfaces, rays, rays.direction, rays.originError, rays.directionError, space);
     }
 
     @Override
@@ -40,11 +39,5 @@ public final class ClosestHit extends TreeSearch {
     boolean tryOne(int ray, int k) {
         surfaces.intersect(rays, ray, k);
         return false;
-    }
-
-    @Override
-    void setDirection(SieveLine line, int i) {
-        line.setDirection(rays.dx[i], rays.dy[i], rays.dz[i], rays.originError[i] * bvh.space().scale(),
-                rays.directionError[i]);
     }
 }

@@ -19,12 +19,19 @@ abstract class TreeSearch implements Search {
     final SearchWorkspace space;
 
     private final Vectors direction;
+    private final double[] originError;
+    private final double[] directionError;
 
-    /** @param direction in which to search, from where rays start */
-    TreeSearch(Surfaces surfaces, Rays rays, Vectors direction, SearchWorkspace space) {
+    /**
+     * @param direction in which to search, from where rays start; the errors are bounds on those of both
+     */
+    TreeSearch(Surfaces surfaces, Rays rays, Vectors direction, double[] originError,
+            double[] directionError, SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.direction = direction;
+        this.originError = originError;
+        this.directionError = directionError;
         this.space = space;
         bvh = surfaces.bvh();
     }
@@ -46,9 +53,6 @@ abstract class TreeSearch implements Search {
 
     /** Tries one surface with one ray; returns whether the ray's search is over. */
     abstract boolean tryOne(int ray, int k);
-
-    /** Sets the line of a ray whose point has been set. */
-    abstract void setDirection(SieveLine line, int ray);
 
     @Override
     public void find(int from, int to) {
@@ -97,7 +101,8 @@ abstract class TreeSearch implements Search {
             if (surfaces.hasSieve()) {
                 SieveLine line = space.surfaces().line;
                 line.setPoint(walk.x(), walk.y(), walk.z(), walk.start());
-                setDirection(line, i);
+                line.setDirection(direction.x()[i], direction.y()[i], direction.z()[i],
+                        originError[i] * bvh.space().scale(), directionError[i]);
             }
             tryLeaves(i, walk);
         }
