@@ -22,7 +22,6 @@ public final class Options {
 
     private static final Pattern SIZE = Pattern.compile("(\\d{1,10})[xX](\\d{1,10})");
     private static final Pattern REGION = Pattern.compile("(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})");
-
     private static final Pattern PIXEL = Pattern.compile("(\\d{1,10}),(\\d{1,10})");
 
     /** A number or a fraction. */
@@ -99,11 +98,8 @@ public final class Options {
                 Option.CHECK);
         requireWithout(Option.CHART, "it tries many settings in turns, and writes a chart in place of a picture",
                 Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.REPEAT, Option.STATS);
-        if (has(Option.CHART)) {
-            if (!text(Option.CHART).endsWith(".svg")) {
-                throw new UsageException("expected the file of --chart to end in '.svg', found '" + text(Option.CHART)
-                        + "'");
-            }
+        if (has(Option.CHART) && !text(Option.CHART).endsWith(".svg")) {
+            throw new UsageException("expected the file of --chart to end in '.svg', found '" + text(Option.CHART) + "'");
         }
     }
 

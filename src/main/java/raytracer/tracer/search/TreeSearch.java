@@ -4,8 +4,8 @@ import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.SieveLine;
+import raytracer.tracer.surface.Surfaces;
 
 /**
  * Searches surfaces of one kind for what a batch of rays hits. If the rays' {@link Beam} finds few surfaces, all rays try
@@ -22,11 +22,9 @@ abstract class TreeSearch implements Search {
     private final double[] originError;
     private final double[] directionError;
 
-    /**
-     * @param direction in which to search, from where rays start; the errors are bounds on those of both
-     */
-    TreeSearch(Surfaces surfaces, Rays rays, Vectors direction, double[] originError,
-            double[] directionError, SearchWorkspace space) {
+    /** @param direction in which to search, from where rays start; the errors are bounds on those of both */
+    TreeSearch(Surfaces surfaces, Rays rays, Vectors direction, double[] originError, double[] directionError,
+            SearchWorkspace space) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.direction = direction;
