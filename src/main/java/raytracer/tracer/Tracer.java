@@ -10,8 +10,8 @@ import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
 /**
- * A scene compiled for tracing: its surfaces by kind in flat arrays, with a tree over those of a finite size.
- * Immutable; threads share it, and each traces with a {@link TileTracer} of its own.
+ * A scene compiled for tracing: its surfaces by kind, each with a tree over those that are not too wide for one. Immutable;
+ * threads share it, and each traces with a {@link TileTracer} of its own.
  */
 public final class Tracer {
 

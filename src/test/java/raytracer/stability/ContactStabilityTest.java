@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -111,6 +113,30 @@ class ContactStabilityTest {
                 }
             }
         }
+    }
+
+    @Test
+    @DisplayName("a light past the limb of a planet is seen if the way to it clears the planet by nanometres")
+    void lightPastTheLimb() throws Exception {
+        Random random = new Random(6);
+        BigDecimal radius = new BigDecimal("6.4e6");
+        int wrong = 0, naive = 0;
+        for (int i = 0; i < POINTS; i++) {
+            // A way of this slope whose perpendicular from the planet's centre is longer than the radius by the clearance.
+            BigDecimal slope = new BigDecimal(-(50 + 100 * random.nextDouble()) / 6.4e6);
+            double clearance = (random.nextBoolean() ? 1 : -1) * 3e-10 * (1 + random.nextDouble());
+            double height = radius.add(new BigDecimal(clearance))
+                    .multiply(slope.pow(2).add(BigDecimal.ONE).sqrt(new MathContext(50))).subtract(radius).doubleValue();
+            double far = 300, low = new BigDecimal(height).add(slope.multiply(new BigDecimal(far))).doubleValue();
+            Probe probe = new Probe("plane 0 " + height + " 0 0 1 0\nsphere 0 -6.4e6 0 6.4e6");
+            assertEquals(0, probe.shoot(new Vector(0, 1, 0), new Vector(0, -1, 0)).shape());
+            wrong += probe.seesPoint(new Vector(far, low, 0)) == clearance > 0 ? 0 : 1;
+            Vector from = new Vector(0, height + 6.4e6, 0), way = new Vector(far, low - height, 0).unit();
+            Vector foot = from.minus(way.times(from.dot(way)));
+            naive += 6.4e6 * 6.4e6 < foot.dot(foot) == clearance > 0 ? 0 : 1;
+        }
+        assertEquals(0, wrong);
+        assertTrue(naive > POINTS / 20, naive + " by the plain perpendicular");
     }
 
     @Test

@@ -101,16 +101,6 @@ public final class Rounding {
     }
 
     /**
-     * Bounds the error of the power of a point as it is computed without {@link PowerOfPoint}: 2u from differences, u
-     * from squares and 3u from sums.
-     *
-     * @param square |point - centre|^2
-     */
-    public static double plainPower(double square, double radius) {
-        return 8 * U * (square + radius * radius);
-    }
-
-    /**
      * Bounds the error of the power of a ray's origin as it is computed from (direction . (origin - centre))^2 and
      * r^2 - p^2, p being the perpendicular from the centre to the ray: 22u of |origin - centre|^2 from the first, 40u
      * from the second and 4u from the direction's length; p^2 is at most 5/4 r^2.

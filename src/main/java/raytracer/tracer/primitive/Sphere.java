@@ -168,7 +168,7 @@ final class Sphere {
             double bound = Rounding.sphereSquare(error, 2 * Rounding.U, l1Norm, r, along);
             double slideAlong = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
             double powerError = Rounding.power(rays.originError[i], r, rays.slide[i], slideAlong);
-            double power = power(rays.ox[i], rays.oy[i], rays.oz[i], powerError);
+            double power = PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
             side = sign(power, powerError);
             double tangentError = Rounding.tangentSquare(along, alongError, power, powerError);
             if (square < -bound || side > 0 && square < bound && tangentError < bound
@@ -211,21 +211,12 @@ final class Sphere {
             return 1;
         }
         double error = Rounding.power(light.positionError(), r, 0, 0);
-        return sign(power(light.x(), light.y(), light.z(), error), error);
+        return sign(PowerOfPoint.of(light.x(), light.y(), light.z(), cx, cy, cz, r), error);
     }
 
     /** 1 if a point is outside a sphere, -1 inside, 0 on it. */
     private static int sign(double power, double error) {
         return Math.abs(power) <= error ? 0 : power > 0 ? 1 : -1;
-    }
-
-    /** The power of a point, exactly enough to compare with a bound. */
-    private double power(double px, double py, double pz, double bound) {
-        double x = px - cx, y = py - cy, z = pz - cz;
-        double square = x * x + y * y + z * z;
-        double power = square - r * r;
-        return Math.abs(power) <= bound + Rounding.plainPower(square, r)
-                ? PowerOfPoint.of(px, py, pz, cx, cy, cz, r) : power;
     }
 
     /** Moves a ray that hits the sphere there, as {@link Surfaces#moveToHits} does. */
