@@ -210,7 +210,12 @@ final class Sphere {
         if (light.directional()) {
             return 1;
         }
+        double x = light.x() - cx, y = light.y() - cy, z = light.z() - cz, square = x * x + y * y + z * z;
         double error = Rounding.power(light.positionError(), r, 0, 0);
+        // So far outside that what the difference rounds by does not matter.
+        if (square - r * r > Math.max(square / 2, 2 * error)) {
+            return 1;
+        }
         return sign(PowerOfPoint.of(light.x(), light.y(), light.z(), cx, cy, cz, r), error);
     }
 
