@@ -41,7 +41,7 @@ final class Shading {
         this.lights = lights;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        anyHit = surfaces.stream().map(kind -> new AnyHit(kind, rays, shadows, space)).toArray(Search[]::new);
+        anyHit = surfaces.stream().map(kind -> AnyHit.among(kind, rays, shadows, space)).toArray(Search[]::new);
     }
 
     /** How many shadow rays were traced since this was made. */

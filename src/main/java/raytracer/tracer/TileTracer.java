@@ -71,7 +71,7 @@ public final class TileTracer {
         ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
         groups = new ShadingGroups(table);
         this.pinhole = pinhole;
-        closestHit = surfaces.stream().map(kind -> new ClosestHit(kind, rays, space)).toArray(Search[]::new);
+        closestHit = surfaces.stream().map(kind -> ClosestHit.among(kind, rays, space)).toArray(Search[]::new);
         shading = new Shading(surfaces, lights, rays, space);
         cells = new SettledCells(surfaces, rays, space);
     }

@@ -167,7 +167,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        new ClosestHit(surfaces, rays, new SearchWorkspace()).run(0, rays.count);
+        ClosestHit.among(surfaces, rays, new SearchWorkspace()).run(0, rays.count);
         return rays;
     }
 

@@ -74,7 +74,7 @@ public final class Probe {
         shadows.dz[0] = unit.z();
         shadows.unoccluded[0] = true;
         shadows.start(0, 1);
-        surfaces.forEach(kind -> new AnyHit(kind, rays, shadows, space).run(0, 1));
+        surfaces.forEach(kind -> AnyHit.among(kind, rays, shadows, space).run(0, 1));
         return shadows.unoccluded[0];
     }
 
@@ -101,7 +101,7 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> new ClosestHit(kind, rays, space).run(0, rays.count));
+        surfaces.forEach(kind -> ClosestHit.among(kind, rays, space).run(0, rays.count));
         ties.settle();
         int surface = rays.hit[0];
         if (surface == Rays.NONE) {

@@ -1,5 +1,6 @@
 package raytracer.tracer.search;
 
+import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
@@ -15,7 +16,13 @@ public final class AnyHit extends TreeSearch {
     /** The surface that last blocked a ray; negative if none has. */
     private int lastBlocker = -1;
 
-    public AnyHit(Surfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+    /** The search among surfaces of one kind; where no tree has any, it only tries each. */
+    public static Search among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
+        AnyHit search = new AnyHit(kind, rays, shadows, space);
+        return kind.bvh().root() == Bvh.EMPTY ? search::tryOversized : search;
+    }
+
+    private AnyHit(Surfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
         super(surfaces, rays, shadows.direction, shadows.originError, shadows.directionError, space);
         this.shadows = shadows;
     }

@@ -1,12 +1,19 @@
 package raytracer.tracer.search;
 
+import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.Surfaces;
 
 /** Records the closest hit of each of a batch's rays with surfaces of one kind. */
 public final class ClosestHit extends TreeSearch {
 
-    public ClosestHit(Surfaces surfaces, Rays rays, SearchWorkspace space) {
+    /** The search among surfaces of one kind; where no tree has any, it only tries each. */
+    public static Search among(Surfaces kind, Rays rays, SearchWorkspace space) {
+        ClosestHit search = new ClosestHit(kind, rays, space);
+        return kind.bvh().root() == Bvh.EMPTY ? search::tryOversized : search;
+    }
+
+    private ClosestHit(Surfaces surfaces, Rays rays, SearchWorkspace space) {
         super(surfaces, rays, rays.direction, rays.originError, rays.directionError, space);
     }
 

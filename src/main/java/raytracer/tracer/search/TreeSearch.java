@@ -57,9 +57,6 @@ abstract class TreeSearch implements Search {
         if (bvh.oversized() > 0) {
             tryOversized(from, to);
         }
-        if (bvh.root() == Bvh.EMPTY) {
-            return;
-        }
         enclose(from, to);
         if (!space.beam().gather(space.intervals(), bvh)) {
             walk(from, to);
@@ -68,7 +65,8 @@ abstract class TreeSearch implements Search {
         }
     }
 
-    private void tryOversized(int from, int to) {
+    /** Tries what is too wide for the tree with all rays. */
+    final void tryOversized(int from, int to) {
         prepare(from, to);
         for (int k = 0; k < bvh.oversized(); k++) {
             tryAll(from, to, k);

@@ -78,7 +78,7 @@ class AnyHitTest {
             Rays rays = new Rays();
             ShadowRays shadows = new ShadowRays(rays);
             // One object for all tiles: what it remembers of one must not matter to the next.
-            var search = new AnyHit(surfaces, rays, shadows, new SearchWorkspace());
+            var search = AnyHit.among(surfaces, rays, shadows, new SearchWorkspace());
             int blocked = 0;
             for (int tile = 0; tile < TILES; tile++) {
                 scatter(rays, within(1.2), size);
