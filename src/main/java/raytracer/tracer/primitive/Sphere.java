@@ -118,7 +118,7 @@ final class Sphere {
         double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
         // Whether a ray hits is certain unless the square of half the chord is nearer to 0 than this.
         double doubt = Rounding.sphereSquare(0, Rounding.EYE_DIRECTION, l1Norm, r, l1Norm);
-        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz;
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, distance = rays.distance;
         for (int i = from; i < to; i++) {
             double along = x * dx[i] + y * dy[i] + z * dz[i];
             double ex = x - along * dx[i], ey = y - along * dy[i], ez = z - along * dz[i];
@@ -129,7 +129,10 @@ final class Sphere {
                 }
             } else if (along < 0) {
                 double t = power / (Math.sqrt(square) - along);
-                if (t <= rays.maxDistance(i)) {
+                if (t < distance[i] * (1 - Rounding.TIE_SIEVE)) {
+                    rays.hit[i] = surface;
+                    distance[i] = t;
+                } else if (t <= distance[i] * (1 + Rounding.TIE_SIEVE)) {
                     rays.record(i, surface, t);
                 }
             }
@@ -140,6 +143,24 @@ final class Sphere {
         double t = distance(rays, i);
         if (t > 0) {
             rays.record(i, surface, t);
+        }
+    }
+
+    /** Occludes the shadow rays, from one index to another, that the sphere blocks: most are told in plain doubles. */
+    void blockAll(Rays rays, ShadowRays shadows, int from, int to) {
+        int lightSide = sideOf(shadows.light);
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, dx = shadows.dx, dy = shadows.dy, dz = shadows.dz;
+        boolean[] unoccluded = shadows.unoccluded;
+        for (int i = from; i < to; i++) {
+            double x = ox[i] - cx, y = oy[i] - cy, z = oz[i] - cz, error = shadows.originError[i];
+            double along = x * dx[i] + y * dy[i] + z * dz[i];
+            double ex = x - along * dx[i], ey = y - along * dy[i], ez = z - along * dz[i];
+            double square = r * r - (ex * ex + ey * ey + ez * ez);
+            if (unoccluded[i] && !isClear(square, error)) {
+                boolean isCertain = rays.hit[i] == surface ? along >= 0 : lightSide > 0 && isCertain(along, square, error);
+                unoccluded[i] = isCertain ? along >= 0 || -along >= shadows.distance[i]
+                        : !blocks(rays, shadows, i, lightSide);
+            }
         }
     }
 
@@ -157,9 +178,6 @@ final class Sphere {
         double square = r * r - (ex * ex + ey * ey + ez * ez), error = shadows.originError[i];
         if (isClear(square, error)) {
             return false;
-        }
-        if (rays.hit[i] == surface ? along >= 0 : lightSide > 0 && isCertain(along, square, error)) {
-            return along < 0 && -along < shadows.distance[i];
         }
         double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double alongError = Rounding.along(rays.originError[i], 2 * Rounding.U, l1Norm) + rays.slide[i];

@@ -48,10 +48,7 @@ public final class Spheres extends Surfaces {
 
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
-        int lightSide = spheres[k].sideOf(shadows.light);
-        for (int i = from; i < to; i++) {
-            shadows.unoccluded[i] = shadows.unoccluded[i] && !spheres[k].blocks(rays, shadows, i, lightSide);
-        }
+        spheres[k].blockAll(rays, shadows, from, to);
     }
 
     @Override
