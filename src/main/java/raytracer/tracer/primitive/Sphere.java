@@ -109,7 +109,8 @@ final class Sphere {
     }
 
     /**
-     * The same for rays that start at one point outside: most hit or miss for certain in plain doubles.
+     * The same for rays that start at one point outside: most hit or miss for certain in plain doubles. A clear hit is
+     * written here, not by {@link Rays#record}: with that, 266 spheres of 16 samples took 1.06 of their time.
      *
      * @param power of that point
      */
@@ -146,7 +147,10 @@ final class Sphere {
         }
     }
 
-    /** Occludes the shadow rays, from one index to another, that the sphere blocks: most are told in plain doubles. */
+    /**
+     * Occludes the shadow rays, from one index to another, that the sphere blocks: most are told in plain doubles, in a
+     * loop that calls nothing large (1.1 of the time of 266 spheres of 16 samples without it).
+     */
     void blockAll(Rays rays, ShadowRays shadows, int from, int to) {
         int lightSide = sideOf(shadows.light);
         double[] ox = rays.ox, oy = rays.oy, oz = rays.oz, dx = shadows.dx, dy = shadows.dy, dz = shadows.dz;
@@ -207,7 +211,7 @@ final class Sphere {
     }
 
     /**
-     * Whether a ray is clear of a sphere, whatever its errors are.
+     * Whether a ray passes so far from the sphere that its direction's error does not matter, nor its origin's.
      *
      * @param square r^2 less the square of the perpendicular from the centre: of half the chord, if the ray hits
      * @param error  how far off the ray's origin may be

@@ -7,7 +7,10 @@ public interface Search {
     /** Searches for the rays from one index up to before another. */
     void find(int from, int to);
 
-    /** The same in a way that HotSpot cannot inline, so that it compiles each kind of search once. */
+    /**
+     * The same in a way that HotSpot does not inline where some kind has no tree, so that it compiles each kind of search
+     * once: it takes two classes of searches, for of the only one it knows what a call runs.
+     */
     default void run(int from, int to) {
         unknown(this, 2).find(from, to);
     }
