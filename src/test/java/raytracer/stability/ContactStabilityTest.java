@@ -182,4 +182,19 @@ class ContactStabilityTest {
             assertTrue(probe.seesPoint(light), "case " + i);
         }
     }
+
+    @Test
+    @DisplayName("a light on a sphere shines along its tangents")
+    void lightOnSphere() throws Exception {
+        Random random = new Random(7);
+        for (int i = 0; i < POINTS; i++) {
+            Vector n = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
+            Vector along = n.cross(new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())).unit();
+            Vector light = Naive.point(new Vector(1, 2, 3), n, 2);
+            Vector ball = Naive.point(light, along, 5), eye = Naive.point(ball, along, -3);
+            Probe probe = new Probe("sphere 1 2 3 2\nsphere " + ball.x() + " " + ball.y() + " " + ball.z() + " 1");
+            assertTrue(probe.shoot(eye, ball.minus(eye)).shape() == 1, "the ball is seen");
+            assertTrue(probe.seesPoint(light), "case " + i);
+        }
+    }
 }
