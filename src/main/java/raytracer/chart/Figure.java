@@ -29,7 +29,6 @@ public final class Figure {
             .front { stroke: #888; fill: none; stroke-dasharray: 5 3; }
             .limit { stroke: #2a9d4a; fill: none; }
             .leader { stroke: #aaa; fill: none; stroke-width: .8; }
-            .curve { stroke: #888; fill: none; stroke-width: 1.5; }
             .quartiles { stroke-width: 2; fill: none; }
             .s0 { fill: #c0392b; stroke: #c0392b; } .s1 { fill: #b9770e; stroke: #b9770e; }
             .s2 { fill: #2471a3; stroke: #2471a3; } .s3 { fill: #7d3c98; stroke: #7d3c98; }
@@ -78,14 +77,14 @@ public final class Figure {
         mark("<circle class='s" + series + "' cx='%.0f' cy='-4' r='4'/>", meaning);
     }
 
-    /** Says what the bars beside dots are, and the dashed line. */
-    public void explain(String bars, String dashes) {
-        if (bars != null) {
-            mark("<path class='quartiles s2' d='M%.0f -4 h12'/>", bars);
-        }
-        if (dashes != null) {
-            mark("<path class='front' d='M%.0f -4 h12'/>", dashes);
-        }
+    /** Says what the bars beside dots are. */
+    public void explainBars(String meaning) {
+        mark("<path class='quartiles s2' d='M%.0f -4 h12'/>", meaning);
+    }
+
+    /** Says what the dashed line is. */
+    public void explainFront(String meaning) {
+        mark("<path class='front' d='M%.0f -4 h12'/>", meaning);
     }
 
     private void mark(String symbol, String meaning) {

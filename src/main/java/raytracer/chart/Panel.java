@@ -3,10 +3,11 @@ package raytracer.chart;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 
 /**
- * One log-log diagram: labelled points, curves, the Pareto front of the points (less is better on both axes: none on it
- * is beaten on both), and a band at the foot for results that cannot be told from none.
+ * One log-log diagram: labelled points, their Pareto front (less is better on both axes: none on it is beaten on both),
+ * and a band at the foot for results that cannot be told from none.
  */
 public final class Panel {
 
@@ -28,19 +29,13 @@ public final class Panel {
 
     private record Line(double y, String label) { }
 
-    private record Curve(String label, List<double[]> points) { }
-
     private final String title;
     private final String xLabel;
     private final String yLabel;
     private final double limit;
     private final String limitLabel;
     private final List<Point> points = new ArrayList<>();
-    private final List<Curve> curves = new ArrayList<>();
     private final List<Line> lines = new ArrayList<>();
-    private final List<String> notes = new ArrayList<>();
-    private boolean besideX;
-    private boolean front = true;
 
     /**
      * @param limit      the top of the band at the foot, at which zeros are drawn; 0 for no band and no zeros
@@ -54,34 +49,13 @@ public final class Panel {
         this.limitLabel = limitLabel;
     }
 
-    /** Gives the x axis a band of none as well. */
-    public Panel withBandOnBothAxes() {
-        besideX = true;
-        return this;
-    }
-
     /** Draws a line at a height, and what it means. */
     public void line(double y, String label) {
         lines.add(new Line(y, label));
     }
 
-    /** Says something that no point can: what gave no answer. */
-    public void note(String note) {
-        notes.add(note);
-    }
-
-    /** Draws no Pareto front: for points that are not choices. */
-    public Panel withoutFront() {
-        front = false;
-        return this;
-    }
-
     public void point(String label, int series, double x, double low, double high, double y) {
         points.add(new Point(label, series, x, low, high, y));
-    }
-
-    public void curve(String label, List<double[]> line) {
-        curves.add(new Curve(label, line));
     }
 
     /** The diagram as SVG elements in a box of this size. */
@@ -100,19 +74,9 @@ public final class Panel {
         Drawing(int width, int height) {
             this.width = width;
             this.height = height;
-            xAxis = Axis.around(values(true), besideX ? limit : 0);
-            yAxis = Axis.around(values(false), limit);
+            xAxis = Axis.around(points.stream().flatMap(p -> Stream.of(p.low, p.x, p.high)).toList(), 0);
+            yAxis = Axis.around(Stream.concat(points.stream().map(Point::y), lines.stream().map(Line::y)).toList(), limit);
             labels = new Labels(new Labels.Box(LEFT + 2, TOP, width - 2, height - BOTTOM - 2));
-        }
-
-        private List<Double> values(boolean horizontal) {
-            List<Double> values = new ArrayList<>();
-            points.forEach(p -> values.addAll(horizontal ? List.of(p.x, p.low, p.high) : List.of(p.y)));
-            curves.forEach(c -> c.points.forEach(p -> values.add(p[horizontal ? 0 : 1])));
-            if (!horizontal) {
-                lines.forEach(line -> values.add(line.y));
-            }
-            return values;
         }
 
         private double px(double x) {
@@ -125,37 +89,23 @@ public final class Panel {
 
         String draw() {
             text(LEFT, 18, "title", "start", title);
-            bands();
-            ticks();
-            text((LEFT + width - RIGHT) / 2.0, height - 8, "axis", "middle", xLabel);
-            line("<text class='axis' text-anchor='middle' transform='translate(13 %.1f) rotate(-90)'>%s</text>",
-                    (TOP + height - BOTTOM) / 2.0, yLabel);
-            curves.forEach(this::draw);
-            if (front) {
-                front();
-            }
-            points.forEach(this::draw);
-            lines.forEach(line -> draw(line));
-            if (limit > 0) {
-                note(limitLabel, py(limit) + 11);
-            }
-            for (int i = 0; i < notes.size(); i++) {
-                note(notes.get(i), TOP + LINE * (i + 1));
-            }
-            points.stream().filter(p -> !p.label.isEmpty()).forEach(this::label);
-            return out.toString();
-        }
-
-        private void bands() {
             if (limit > 0) {
                 double top = py(limit);
                 line("<rect class='band' x='%d' y='%.1f' width='%d' height='%.1f'/>", LEFT, top, width - LEFT - RIGHT,
                         height - BOTTOM - top);
-                if (besideX) {
-                    line("<rect class='band' x='%d' y='%d' width='%.1f' height='%d'/>", LEFT, TOP,
-                            px(limit) - LEFT, height - TOP - BOTTOM);
-                }
             }
+            ticks();
+            text((LEFT + width - RIGHT) / 2.0, height - 8, "axis", "middle", xLabel);
+            line("<text class='axis' text-anchor='middle' transform='translate(13 %.1f) rotate(-90)'>%s</text>",
+                    (TOP + height - BOTTOM) / 2.0, yLabel);
+            front();
+            points.forEach(this::draw);
+            lines.forEach(this::draw);
+            if (limit > 0) {
+                note(limitLabel, py(limit) + 11);
+            }
+            points.forEach(this::label);
+            return out.toString();
         }
 
         private void ticks() {
@@ -197,14 +147,6 @@ public final class Panel {
                     }
                 }
             }
-        }
-
-        private void draw(Curve curve) {
-            StringBuilder path = new StringBuilder();
-            for (double[] p : curve.points) {
-                path.append(path.isEmpty() ? 'M' : 'L').append(number(px(p[0]))).append(' ').append(number(py(p[1])));
-            }
-            line("<path class='curve' d='%s'/>", path);
         }
 
         /** The points that no other beats on both axes, joined by steps; it ends at the best. */

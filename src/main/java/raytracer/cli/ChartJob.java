@@ -1,7 +1,6 @@
 package raytracer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -103,18 +102,10 @@ final class ChartJob {
         Canvas reference = Canvas.mean(halves[0], halves[1]);
         double floor = halves[0].rmse(halves[1]) / 2;
         measure(settings, reference);
-        write(svg, figure(settings, floor).svg());
-        write(csv, String.join("\n", table(settings, floor)) + "\n");
+        OutputFile.write(svg, figure(settings, floor).svg());
+        OutputFile.write(csv, String.join("\n", table(settings, floor)) + "\n");
         terminal.answer(sentence(settings));
         return Main.DONE;
-    }
-
-    private static void write(Path file, String text) throws IOException {
-        try {
-            OutputFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
-        } catch (IOException e) {
-            throw new IOException("cannot write " + file + ": " + Reason.of(e), e);
-        }
     }
 
     /** From the cheapest on, about. */
@@ -213,7 +204,8 @@ final class ChartJob {
         figure.explain(2, "n x n samples");
         figure.explain(4, "samples where they are needed");
         figure.explain(0, "fewer mirrors");
-        figure.explain("quartiles", "no setting measured is faster and as accurate");
+        figure.explainBars("quartiles");
+        figure.explainFront("no setting measured is faster and as accurate");
         return figure;
     }
 

@@ -1,8 +1,8 @@
 package raytracer.cli;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.Terminal;
@@ -41,30 +41,22 @@ record Outputs(Input input, Destination destination, Path reference, Path differ
     /** @throws UsageException if one of the files is taken */
     void claim(Places places) throws UsageException, IOException {
         places.read(input.path(), "the scene");
-        if (destination != null && destination.file() != null) {
-            places.write(destination.file(), "the picture of " + input.name());
-        }
-        if (reference != null) {
-            places.read(reference, "the reference");
-        }
-        if (difference != null) {
-            places.write(difference, "the difference picture of " + input.name());
-        }
-        if (stats != null) {
-            places.write(stats, "the statistics");
-        }
+        places.write(picture(), "the picture of " + input.name());
+        places.read(reference, "the reference");
+        places.write(difference, "the difference picture of " + input.name());
+        places.write(stats, "the statistics");
+    }
+
+    private Path picture() {
+        return destination == null ? null : destination.file();
     }
 
     /** Sees to it that rendering is not in vain. */
     void require() throws IOException {
-        if (destination != null && destination.file() != null) {
-            OutputFile.require(destination.file());
-        }
-        if (difference != null) {
-            OutputFile.require(difference);
-        }
-        if (stats != null) {
-            OutputFile.require(stats);
+        for (Path file : Arrays.asList(picture(), difference, stats)) {
+            if (file != null) {
+                OutputFile.require(file);
+            }
         }
     }
 
@@ -85,13 +77,8 @@ record Outputs(Input input, Destination destination, Path reference, Path differ
     }
 
     void writeStats(String json) throws IOException {
-        if (stats == null) {
-            return;
-        }
-        try {
-            OutputFile.write(stats, out -> out.write(json.getBytes(StandardCharsets.UTF_8)));
-        } catch (IOException e) {
-            throw new IOException("cannot write " + stats + ": " + Reason.of(e), e);
+        if (stats != null) {
+            OutputFile.write(stats, json);
         }
     }
 }

@@ -56,17 +56,13 @@ public record Destination(Path file, PrintStream standardOutput) {
     }
 
     public void write(BufferedImage picture) throws IOException {
-        try {
-            if (file != null) {
-                OutputFile.write(file, out -> PngFile.write(picture, out));
-                return;
-            }
-            PngFile.write(picture, new BufferedOutputStream(standardOutput));
-            if (standardOutput.checkError()) {
-                throw new IOException("whoever was to read it has gone");
-            }
-        } catch (IOException e) {
-            throw new IOException("cannot write " + this + ": " + Reason.of(e), e);
+        if (file != null) {
+            OutputFile.write(file, out -> PngFile.write(picture, out));
+            return;
+        }
+        PngFile.write(picture, new BufferedOutputStream(standardOutput));
+        if (standardOutput.checkError()) {
+            throw new IOException("cannot write to standard output: whoever was to read it has gone");
         }
     }
 

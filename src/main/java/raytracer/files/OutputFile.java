@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -57,18 +58,27 @@ public final class OutputFile {
     /**
      * Writes a file, or into a device or pipe, which holds nothing to be kept.
      *
-     * @throws IOException if it cannot; then what was there is unchanged, and no other file is left
+     * @throws IOException if it cannot, and says why; then what was there is unchanged, and no other file is left
      */
     public static void write(Path file, Content content) throws IOException {
-        if (isDevice(file)) {
-            try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file, StandardOpenOption.WRITE))) {
-                content.writeTo(out);
+        try {
+            if (isDevice(file)) {
+                try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file, StandardOpenOption.WRITE))) {
+                    content.writeTo(out);
+                }
+                return;
             }
-            return;
+            Path place = place(file);
+            // The process's number would tell more, but loads a thread pool.
+            new OutputFile(place.resolveSibling(".raytracer-" + System.nanoTime() + ".tmp")).replace(place, content);
+        } catch (IOException e) {
+            throw new IOException("cannot write " + file + ": " + Reason.of(e), e);
         }
-        Path place = place(file);
-        // The process's number would tell more, but loads a thread pool.
-        new OutputFile(place.resolveSibling(".raytracer-" + System.nanoTime() + ".tmp")).replace(place, content);
+    }
+
+    /** The same of a text, in UTF-8. */
+    public static void write(Path file, String text) throws IOException {
+        write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** Whether a file is something other than a regular file: a terminal, a pipe, {@code /dev/null}. */

@@ -18,17 +18,26 @@ public final class Places {
 
     private final List<Claim> claims = new ArrayList<>();
 
-    /** @param what the file is, for messages */
+    /**
+     * @param file null for none
+     * @param what it is, for messages
+     */
     public void read(Path file, String what) throws UsageException, IOException {
         add(new Claim(file, what, false));
     }
 
-    /** @param what the file is, for messages */
+    /**
+     * @param file null for none
+     * @param what it is, for messages
+     */
     public void write(Path file, String what) throws UsageException, IOException {
         add(new Claim(file, what, true));
     }
 
     private void add(Claim claim) throws UsageException, IOException {
+        if (claim.file == null) {
+            return;
+        }
         for (Claim other : claims) {
             if ((claim.isWritten || other.isWritten) && areSame(claim.file, other.file)) {
                 Claim written = claim.isWritten ? claim : other, kept = claim.isWritten ? other : claim;

@@ -75,17 +75,9 @@ public record Reference(Path file, int width, int height, BufferedImage picture,
             words += (c.beyond() == 0 ? "none" : c.beyond()) + " by more than the tolerance of " + tolerance + "; ";
         }
         if (c.beyond() > 0 && difference != null) {
-            show(c.difference());
+            OutputFile.write(difference, out -> PngFile.write(c.difference(), out));
             words += "see " + difference + "; ";
         }
         return new Verdict(words.substring(0, words.length() - 2), c.beyond() == 0, c);
-    }
-
-    private void show(BufferedImage differences) throws IOException {
-        try {
-            OutputFile.write(difference, out -> PngFile.write(differences, out));
-        } catch (IOException e) {
-            throw new IOException("cannot write " + difference + ": " + Reason.of(e), e);
-        }
     }
 }

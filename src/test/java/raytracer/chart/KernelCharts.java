@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import raytracer.exact.ExactKernels;
 import raytracer.scene.Vector;
 import raytracer.tracer.KernelAccess;
@@ -220,23 +221,21 @@ final class KernelCharts {
         }
         waiting.clear();
         figure.explain(4, "ours");
-        figure.explain("quartiles", "no method measured is faster and as accurate");
+        figure.explainBars("quartiles");
+        figure.explainFront("no method measured is faster and as accurate");
     }
 
     private int draw(Figure figure, Judged judged, Timing[] timings, int first) {
         Panel wrong = new Panel(judged.regime, "ns per ray", "wrong per million", 3e6 / RAYS,
                 "0 wrong in " + RAYS + " lie at the foot: below " + Math.round(3e6 / RAYS) + " per million (95 %)");
-        Panel error = new Panel(judged.regime, "ns per ray", "error of t, 99.9 %", 0, "");
+        Panel error = new Panel(judged.regime, "ns per ray" + withoutAnswer(judged), "error of t, 99.9 %", 0, "");
         for (int k = 0; k < judged.methods.size(); k++) {
             Verdict verdict = judged.verdicts.get(k);
             Timing timing = timings[first + k];
             String name = judged.methods.get(k).name;
             int series = name.equals("ours") ? 4 : k % 4;
             wrong.point(name, series, timing.median(), timing.low(), timing.high(), verdict.wrongPerMillion());
-            if (Double.isNaN(verdict.p999())) {
-                error.note(String.format(Locale.ROOT, "%s: no answer for %.0f %% of rays", name,
-                        100.0 * verdict.wrong() / verdict.count()));
-            } else {
+            if (!Double.isNaN(verdict.p999())) {
                 error.point(name, series, timing.median(), timing.low(), timing.high(), verdict.p999());
             }
             csv.add(String.format(Locale.ROOT, "%s,\"%s\",%s,%.2f,%.2f,%.2f,%d,%d,%.3g", judged.chart, judged.regime,
@@ -246,5 +245,12 @@ final class KernelCharts {
         figure.add(wrong);
         figure.add(error);
         return first + judged.methods.size();
+    }
+
+    /** The methods that have no answer for so many rays that their error cannot be told; nothing if there are none. */
+    private static String withoutAnswer(Judged judged) {
+        List<String> names = IntStream.range(0, judged.methods.size())
+                .filter(k -> Double.isNaN(judged.verdicts.get(k).p999())).mapToObj(k -> judged.methods.get(k).name).toList();
+        return names.isEmpty() ? "" : "; mostly without an answer: " + String.join("; ", names);
     }
 }

@@ -54,7 +54,6 @@ class LabelsTest {
         for (int round = 0; round < 20; round++) {
             Panel panel = new Panel("A crowd", "ms", "error", 1e-4, "the reference's own error");
             panel.line(1 / 255.0, "RMSE of 1/255");
-            panel.note("a method without an answer");
             for (int i = 0; i < 16; i++) {
                 double x = 10 + 20 * random.nextDouble();
                 panel.point("setting " + i, i % 5, x, .95 * x, 1.05 * x, i == 0 ? 0 : 1e-3 * (1 + random.nextDouble()));
@@ -62,7 +61,8 @@ class LabelsTest {
             Figure figure = new Figure("Heading", "foot", 1, 900, 500);
             figure.add(panel);
             figure.explain(2, "some");
-            figure.explain("quartiles", "the best");
+            figure.explainBars("quartiles");
+            figure.explainFront("the best");
             assertEquals(List.of(), faults(figure.svg()), "round " + round);
         }
     }

@@ -37,7 +37,8 @@ final class PictureChart {
         figure.explain(0, "textbook in float");
         figure.explain(2, "in double");
         figure.explain(4, "ours");
-        figure.explain("quartiles", "nothing measured is faster and as accurate");
+        figure.explainBars("quartiles");
+        figure.explainFront("nothing measured is faster and as accurate");
         figure.write(file);
     }
 

@@ -59,7 +59,8 @@ class PeersChart {
         figure.explain(0, "textbook in float");
         figure.explain(2, "textbook in double");
         figure.explain(3, "Embree, in float");
-        figure.explain("fastest and slowest", "nothing measured is faster and as accurate");
+        figure.explainBars("fastest and slowest");
+        figure.explainFront("nothing measured is faster and as accurate");
         csv.forEach(System.out::println);
         figure.write(SITE.resolve("peers.svg"));
         Files.write(SITE.resolve("peers.csv"), csv, StandardCharsets.UTF_8);

@@ -114,7 +114,8 @@ class SamplesChart {
         figure.explain(2, "n x n samples");
         figure.explain(4, "samples where they are needed");
         figure.explain(0, "POV-Ray");
-        figure.explain("fastest and slowest", "no setting measured is faster and as accurate");
+        figure.explainBars("fastest and slowest");
+        figure.explainFront("no setting measured is faster and as accurate");
         figure.write(SITE.resolve("samples.svg"));
     }
 
