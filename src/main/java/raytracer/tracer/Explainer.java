@@ -30,12 +30,12 @@ public final class Explainer implements BatchObserver {
     private Step step;
     private boolean isFacing;
 
-    Explainer(TileTracer tracer, List<Surfaces> surfaces, SurfaceTable table) {
-        this.tracer = tracer;
-        this.surfaces = surfaces;
-        this.table = table;
-        rays = tracer.rays();
-        space = tracer.space();
+    Explainer(Tracer scene) {
+        tracer = new TileTracer(scene);
+        surfaces = scene.surfaces();
+        table = scene.table();
+        rays = tracer.rays;
+        space = tracer.space;
     }
 
     /** @param colour of the pixel, not cut to a range */

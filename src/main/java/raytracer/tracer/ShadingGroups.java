@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.Arrays;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.surface.SurfaceTable;
@@ -12,89 +13,45 @@ final class ShadingGroups {
 
     private final int[] materialIndex;
 
-    private int count;
-    private final int[] materialOf = new int[Batch.CAPACITY];
-    /** By group: its rays begin here, and end where the next one's begin. */
-    private final int[] start = new int[Batch.CAPACITY + 1];
+    int count;
 
-    private final int[] groupOf = new int[Batch.CAPACITY];
+    // By group: its material, and where its rays begin; they end where the next one's begin.
+    final int[] material = new int[Batch.CAPACITY];
+    final int[] start = new int[Batch.CAPACITY + 1];
+
     private final int[] order = new int[Batch.CAPACITY];
+    private final boolean[] isListed = new boolean[Batch.CAPACITY];
 
     ShadingGroups(SurfaceTable table) {
         materialIndex = table.materialIndex();
     }
 
-    int count() {
-        return count;
-    }
-
-    int material(int group) {
-        return materialOf[group];
-    }
-
-    int start(int group) {
-        return start[group];
-    }
-
-    int end(int group) {
-        return start[group + 1];
-    }
-
     /** Puts the rays in order; those that have hit nothing leave. */
     void arrange(Rays rays) {
-        int hitCount = assign(rays);
-        if (count == 1 && hitCount == rays.count) {
-            start[0] = 0;
-            start[1] = hitCount;
-        } else if (hitCount == 0) {
-            rays.count = 0;
-        } else {
-            sort(rays);
-            start[count] = hitCount;
-            rays.select(order, hitCount);
-        }
-    }
-
-    /** Lists rays by group. */
-    private void sort(Rays rays) {
-        for (int group = 1; group < count; group++) {
-            start[group] += start[group - 1];
-        }
-        // From the last backwards, each group's rays fill it from its end, which so moves down to its start.
-        for (int i = rays.count - 1; i >= 0; i--) {
-            if (rays.hit[i] != Rays.NONE) {
-                order[--start[groupOf[i]]] = i;
-            }
-        }
-    }
-
-    /** Tells every ray its group, and counts each group's rays in {@link #start}. */
-    private int assign(Rays rays) {
+        Arrays.fill(isListed, 0, rays.count, false);
         count = 0;
-        int hitCount = 0;
-        int group = -1;
+        start[0] = 0;
         for (int i = 0; i < rays.count; i++) {
-            int surface = rays.hit[i];
-            if (surface != Rays.NONE) {
-                if (group < 0 || materialOf[group] != materialIndex[surface]) {
-                    group = find(materialIndex[surface]);
-                }
-                groupOf[i] = group;
-                start[group]++;
-                hitCount++;
+            if (rays.hit[i] != Rays.NONE && !isListed[i]) {
+                material[count] = materialIndex[rays.hit[i]];
+                start[count + 1] = list(rays, i, start[count]);
+                count++;
             }
         }
-        return hitCount;
+        if (count != 1 || start[1] != rays.count) {
+            rays.select(order, start[count]);
+        }
     }
 
-    private int find(int wanted) {
-        for (int group = 0; group < count; group++) {
-            if (materialOf[group] == wanted) {
-                return group;
+    /** Lists the rays of the current group, of which this is the first; returns how many are listed then. */
+    private int list(Rays rays, int first, int listed) {
+        int end = listed;
+        for (int i = first; i < rays.count; i++) {
+            if (rays.hit[i] != Rays.NONE && materialIndex[rays.hit[i]] == material[count]) {
+                order[end++] = i;
+                isListed[i] = true;
             }
         }
-        materialOf[count] = wanted;
-        start[count] = 0;
-        return count++;
+        return end;
     }
 }

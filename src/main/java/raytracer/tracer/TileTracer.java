@@ -2,12 +2,10 @@ package raytracer.tracer;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicLong;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.arithmetic.Batch;
 import raytracer.tracer.rays.BatchObserver;
-import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.search.ClosestHit;
@@ -15,7 +13,6 @@ import raytracer.tracer.search.Search;
 import raytracer.tracer.search.SearchWorkspace;
 import raytracer.tracer.search.Ties;
 import raytracer.tracer.settled.SettledCells;
-import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
 /**
@@ -32,16 +29,11 @@ public final class TileTracer {
     private static final int COLD_CAPACITY = 40;
     private static final int COLD_RAYS = 5000 * COLD_CAPACITY;
 
-    /** How many rays all threads together have traced, but for shadow rays. */
-    private final AtomicLong traced;
-
-    private final Pinhole pinhole;
-    private final List<Surfaces> surfaces;
+    private final Tracer tracer;
     private final Material[] materials;
-    private final int maxDepth;
 
-    private final SearchWorkspace space = new SearchWorkspace();
-    private final Rays rays;
+    final SearchWorkspace space = new SearchWorkspace();
+    final Rays rays = new Rays();
     private final Ties ties;
     private final Search[] closestHit;
     private final ShadingGroups groups;
@@ -61,33 +53,21 @@ public final class TileTracer {
     private long primaryCount;
     private long reflectionCount;
 
-    TileTracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
-            AtomicLong traced) {
-        this.surfaces = surfaces;
-        this.materials = table.materials();
-        this.maxDepth = maxDepth;
-        this.traced = traced;
-        rays = new Rays();
-        ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
-        groups = new ShadingGroups(table);
-        this.pinhole = pinhole;
+    TileTracer(Tracer tracer) {
+        this.tracer = tracer;
+        List<Surfaces> surfaces = tracer.surfaces();
+        materials = tracer.table().materials();
+        ties = new Ties(tracer.table().declared(), surfaces, rays, space.surfaces());
+        groups = new ShadingGroups(tracer.table());
         closestHit = surfaces.stream().map(kind -> ClosestHit.among(kind, rays, space)).toArray(Search[]::new);
-        shading = new Shading(surfaces, lights, rays, space);
+        shading = new Shading(surfaces, tracer.lights(), rays, space);
         cells = new SettledCells(surfaces, rays, space);
-    }
-
-    Rays rays() {
-        return rays;
-    }
-
-    SearchWorkspace space() {
-        return space;
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         samples = all;
-        int max = max();
+        int max = tracer.traced().get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
         for (int from = 0; from < all.count; from += max) {
             trace(from, Math.min(from + max, all.count));
         }
@@ -121,18 +101,13 @@ public final class TileTracer {
         trace(all);
     }
 
-    /** How many rays are traced together. */
-    private int max() {
-        return traced.get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
-    }
-
     private void trace(int from, int to) {
         start(from, to);
         depth = 1;
         while (rays.count > 0) {
-            traced.addAndGet(rays.count);
+            tracer.traced().addAndGet(rays.count);
             findClosestHits();
-            arrange();
+            groups.arrange(rays);
             moveToHits();
             shade();
             addToSamples();
@@ -145,7 +120,7 @@ public final class TileTracer {
         Arrays.fill(samples.green, from, to, 0);
         Arrays.fill(samples.blue, from, to, 0);
         rays.start(from, to - from);
-        pinhole.aim(rays, samples);
+        tracer.pinhole().aim(rays, samples);
         primaryCount += to - from;
     }
 
@@ -166,16 +141,11 @@ public final class TileTracer {
         }
     }
 
-    /** Puts rays that have hit surfaces of the same material together; those that have hit none leave. */
-    private void arrange() {
-        groups.arrange(rays);
-    }
-
     /** Takes every ray there, and notes what it has hit. */
     private void moveToHits() {
-        for (int group = 0; group < groups.count(); group++) {
-            Surfaces kind = kindOf(rays.hit[groups.start(group)]);
-            kind.moveToHits(rays, groups.start(group), groups.end(group));
+        for (int group = 0; group < groups.count; group++) {
+            int first = groups.start[group];
+            kindOf(rays.hit[first]).moveToHits(rays, first, groups.start[group + 1]);
         }
         if (observer != null) {
             observer.moved();
@@ -184,15 +154,15 @@ public final class TileTracer {
 
     private Surfaces kindOf(int surface) {
         int kind = 0;
-        while (!surfaces.get(kind).owns(surface)) {
+        while (!tracer.surfaces().get(kind).owns(surface)) {
             kind++;
         }
-        return surfaces.get(kind);
+        return tracer.surfaces().get(kind);
     }
 
     private void shade() {
-        for (int group = 0; group < groups.count(); group++) {
-            shading.shade(groups.start(group), groups.end(group), materials[groups.material(group)], observer);
+        for (int group = 0; group < groups.count; group++) {
+            shading.shade(groups.start[group], groups.start[group + 1], materials[groups.material[group]], observer);
         }
     }
 
@@ -207,15 +177,15 @@ public final class TileTracer {
 
     /** Turns every ray into its mirror image; those that may go no deeper, or change their pixel no more, leave. */
     private void reflect() {
-        if (depth++ == maxDepth) {
+        if (depth++ == tracer.maxDepth()) {
             rays.count = 0;
             return;
         }
         int count = 0;
-        for (int group = 0; group < groups.count(); group++) {
-            Colour mirror = materials[groups.material(group)].specular();
+        for (int group = 0; group < groups.count; group++) {
+            Colour mirror = materials[groups.material[group]].specular();
             if (!mirror.isBlack()) {
-                count = dim(groups.start(group), groups.end(group), mirror, count);
+                count = dim(groups.start[group], groups.start[group + 1], mirror, count);
             }
         }
         rays.leaveEye = false;

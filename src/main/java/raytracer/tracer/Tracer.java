@@ -12,30 +12,14 @@ import raytracer.tracer.surface.Surfaces;
 /**
  * A scene compiled for tracing: its surfaces by kind, each with a tree over those that are not too wide for one. Immutable;
  * threads share it, and each traces with a {@link TileTracer} of its own.
+ *
+ * @param traced how many rays all threads together have traced, but for shadow rays
  */
-public final class Tracer {
+public record Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
+        AtomicLong traced) {
 
     /** Pixels of a tile's side: the unit of work. */
     public static final int TILE_SIDE = Batch.SIDE;
-
-    private final Pinhole pinhole;
-    private final List<Surfaces> surfaces;
-    private final SurfaceTable table;
-    private final List<LightSource> lights;
-    private final int maxDepth;
-
-    /** How many rays all threads together have traced, but for shadow rays. */
-    private final AtomicLong traced;
-
-    private Tracer(Pinhole pinhole, List<Surfaces> surfaces, SurfaceTable table, List<LightSource> lights, int maxDepth,
-            AtomicLong traced) {
-        this.pinhole = pinhole;
-        this.surfaces = surfaces;
-        this.table = table;
-        this.lights = lights;
-        this.maxDepth = maxDepth;
-        this.traced = traced;
-    }
 
     public static Tracer compile(Scene scene) {
         SurfaceCompiler compiler = new SurfaceCompiler(scene);
@@ -71,11 +55,11 @@ public final class Tracer {
 
     /** What follows single rays and says what they find. */
     public Explainer newExplainer() {
-        return new Explainer(newTileTracer(), surfaces, table);
+        return new Explainer(this);
     }
 
     /** A tracer for one thread's use. */
     public TileTracer newTileTracer() {
-        return new TileTracer(pinhole, surfaces, table, lights, maxDepth, traced);
+        return new TileTracer(this);
     }
 }

@@ -163,7 +163,7 @@ public final class Textbook {
         }
         setOut(sphereTree, o, d);
         while (walk.nextLeaf(t)) {
-            for (int k = walk.first(); k < walk.end(); k++) {
+            for (int k = walk.first; k < walk.end; k++) {
                 found |= sphere(spheres.get(sphereTree.order()[k]), o, d);
             }
         }
@@ -172,7 +172,7 @@ public final class Textbook {
         }
         setOut(triangleTree, o, d);
         while (walk.nextLeaf(t)) {
-            for (int k = walk.first(); k < walk.end(); k++) {
+            for (int k = walk.first; k < walk.end; k++) {
                 found |= triangle(triangleTree.order()[k], o, d);
             }
         }

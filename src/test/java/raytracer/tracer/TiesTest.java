@@ -57,7 +57,7 @@ class TiesTest {
         /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
-            TileTracer tracer = new TileTracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong());
+            TileTracer tracer = new TileTracer(new Tracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong()));
             Samples samples = new Samples();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
@@ -76,7 +76,7 @@ class TiesTest {
             double[] red = new double[WIDTH * HEIGHT];
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
-            TileTracer tracer = new TileTracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong());
+            TileTracer tracer = new TileTracer(new Tracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong()));
             Samples samples = new Samples();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));

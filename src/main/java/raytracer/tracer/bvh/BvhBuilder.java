@@ -2,6 +2,7 @@ package raytracer.tracer.bvh;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import raytracer.tracer.bvh.SahSplitter.Range;
 
 /**
  * Builds a {@link Bvh} from the top by the surface area heuristic, tried at 16 places along the axis on which the
@@ -49,7 +50,7 @@ public final class BvhBuilder {
         }
         TreeSpace space = extent.space();
         BvhBuilder builder = new BvhBuilder(order, treeBoxes(order, bounds, space), bounds, leafSize);
-        int root = builder.build(new Range(oversized, count, 0, null));
+        int root = builder.build(builder.splitter.range(oversized, count));
         return new Bvh(order, oversized, builder.nodes.numbers(), root, space);
     }
 
@@ -88,21 +89,13 @@ public final class BvhBuilder {
         return boxes;
     }
 
-    /** Primitives {@code from} to {@code to - 1}, the box around them and half of its surface. */
-    private record Range(int from, int to, float area, float[] box) {
-
-        int size() {
-            return to - from;
-        }
-    }
-
     /** A range that is to become a child of a node. */
     private record Part(int node, int child, Range range) { }
 
     /** Returns the root. With a stack of its own: C2 would inline a recursion into itself, for a quarter second. */
     private int build(Range whole) {
         if (whole.size() <= leafSize) {
-            return Bvh.leaf(whole.from, whole.size());
+            return Bvh.leaf(whole.from(), whole.size());
         }
         int root = grow(whole);
         while (!parts.isEmpty()) {
@@ -118,11 +111,11 @@ public final class BvhBuilder {
         Range[] ranges = new Range[Bvh.WIDTH];
         for (int k = split(parent, ranges) - 1; k >= 0; k--) {
             Range child = ranges[k];
-            nodes.setBox(node, k, child.box);
+            nodes.setBox(node, k, child.box());
             if (child.size() <= leafSize) {
-                nodes.setChild(node, k, Bvh.leaf(child.from, child.size()));
+                nodes.setChild(node, k, Bvh.leaf(child.from(), child.size()));
             } else if (child.size() > Bvh.LEAF_SIZE && areAllSame(child)) {
-                nodes.setChild(node, k, Bvh.leaf(child.from, 1));
+                nodes.setChild(node, k, Bvh.leaf(child.from(), 1));
             } else {
                 parts.push(new Part(node, k, child));
             }
@@ -132,16 +125,16 @@ public final class BvhBuilder {
 
     /** If so, the first declared comes to the front: it wins every tie, so of many a leaf of that one is enough. */
     private boolean areAllSame(Range range) {
-        int least = range.from;
-        for (int i = range.from + 1; i < range.to; i++) {
-            if (!bounds.areSame(primitives[range.from], primitives[i])) {
+        int from = range.from(), least = from;
+        for (int i = from + 1; i < range.to(); i++) {
+            if (!bounds.areSame(primitives[from], primitives[i])) {
                 return false;
             }
             least = primitives[i] < primitives[least] ? i : least;
         }
         int first = primitives[least];
-        primitives[least] = primitives[range.from];
-        primitives[range.from] = first;
+        primitives[least] = primitives[from];
+        primitives[from] = first;
         return true;
     }
 
@@ -161,9 +154,9 @@ public final class BvhBuilder {
                 break;
             }
             Range whole = ranges[widest];
-            int middle = splitter.at(whole.from, whole.to);
-            ranges[widest] = new Range(whole.from, middle, splitter.leftArea(), splitter.leftBox());
-            ranges[count++] = new Range(middle, whole.to, splitter.rightArea(), splitter.rightBox());
+            int middle = splitter.split(whole);
+            ranges[widest] = splitter.range(whole.from(), middle);
+            ranges[count++] = splitter.range(middle, whole.to());
         }
         return count;
     }
@@ -172,7 +165,7 @@ public final class BvhBuilder {
     private static int widest(Range[] ranges, int count, int primitives) {
         int widest = -1;
         for (int k = 0; k < count; k++) {
-            if (ranges[k].size() > primitives && (widest < 0 || ranges[k].area > ranges[widest].area)) {
+            if (ranges[k].size() > primitives && (widest < 0 || ranges[k].area() > ranges[widest].area())) {
                 widest = k;
             }
         }

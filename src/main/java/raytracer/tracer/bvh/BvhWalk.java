@@ -20,8 +20,12 @@ public final class BvhWalk {
     private Bvh bvh;
 
     // In tree space: how far along the ray it was taken up, and where that is.
-    private double start;
-    private double x, y, z;
+    public double start;
+    public double x, y, z;
+
+    // The current leaf's first primitive, and behind its last.
+    public int first;
+    public int end;
 
     // The reciprocal of the direction, its magnitude, that negated (C2 would take an instruction to negate the other
     // factor), and the origin times the reciprocal, negated.
@@ -33,8 +37,6 @@ public final class BvhWalk {
     /** What is still to be visited: the bits of the box's distance (a float, not negative) above a child's number. */
     private long[] stack = new long[64];
     private int stacked;
-    private int first;
-    private int end;
 
     /**
      * Sets out on a ray; the direction is a unit vector.
@@ -80,25 +82,6 @@ public final class BvhWalk {
     /** Leaves out all of the tree but one node or leaf; to be called before the first leaf is taken. */
     public void enter(int child) {
         stack[0] = child & 0xFFFFFFFFL;
-    }
-
-    /** How far along the ray, in tree space, it was taken up. */
-    public double start() {
-        return start;
-    }
-
-    // Where that is.
-
-    public double x() {
-        return x;
-    }
-
-    public double y() {
-        return y;
-    }
-
-    public double z() {
-        return z;
     }
 
     private static float reciprocal(double d) {
@@ -149,16 +132,6 @@ public final class BvhWalk {
             visit(child);
         }
         return false;
-    }
-
-    /** The current leaf's first primitive. */
-    public int first() {
-        return first;
-    }
-
-    /** Behind the current leaf's last primitive. */
-    public int end() {
-        return end;
     }
 
     /** Puts down all children that the ray hits: whether they are in reach is asked when they are taken up. */

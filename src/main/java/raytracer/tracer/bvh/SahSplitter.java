@@ -6,7 +6,7 @@ import java.util.Arrays;
  * Splits ranges of primitives in two by the surface area heuristic: along the axis on which the boxes' centres spread
  * most, at the best of the limits between {@link #BINS} bins (Wald, On fast Construction of SAH-based Bounding Volume
  * Hierarchies, 2007). Boxes move together with their primitives, so that every pass reads memory in order. One object
- * serves range after range.
+ * serves range after range. All boxes are least x, y, z, then greatest x, y, z.
  */
 final class SahSplitter {
 
@@ -21,9 +21,12 @@ final class SahSplitter {
     private final int[] counts = new int[BINS];
     private final float[][] bins = new float[BINS][6];
     private final float[] rightAreas = new float[BINS];
+
+    // Of the current range: how many bins there are, along which axis, from where on, and how many for each unit.
     private int used;
-    private float[] left;
-    private float[] right;
+    private int axis;
+    private float min;
+    private float binsPerUnit;
 
     /**
      * @param primitives primitives in some order, which splitting changes
@@ -35,91 +38,63 @@ final class SahSplitter {
     }
 
     /**
-     * Brings a range's primitives into the order of their side; returns where the second side starts, inside the
-     * range.
+     * Primitives {@code from} to {@code to - 1}.
+     *
+     * @param box     around them
+     * @param centres the box around their boxes' centres, doubled: the sums of two opposite sides
      */
-    int at(int from, int to) {
-        left = new float[6];
-        right = new float[6];
-        float[] centres = centres(from, to);
-        int axis = widest(centres);
-        float min = centres[axis];
-        float spread = centres[axis + 3] - min;
-        if (!(spread > 0)) {
-            return halve(from, to);
+    record Range(int from, int to, float[] box, float[] centres) {
+
+        int size() {
+            return to - from;
         }
-        used = to - from < FEW ? BINS / 2 : BINS;
-        float binsPerUnit = used / spread;
-        fillBins(from, to, axis, min, binsPerUnit);
-        int bin = cheapest(to - from);
-        merge(0, bin, left);
-        merge(bin, used, right);
-        return partition(from, to, axis, min, binsPerUnit, bin);
-    }
 
-    float[] leftBox() {
-        return left;
-    }
-
-    float[] rightBox() {
-        return right;
-    }
-
-    float leftArea() {
-        return area(left);
-    }
-
-    float rightArea() {
-        return area(right);
-    }
-
-    /** Primitives whose centres coincide: any half will do. */
-    private int halve(int from, int to) {
-        int middle = (from + to) >>> 1;
-        enclose(from, middle, left);
-        enclose(middle, to, right);
-        return middle;
-    }
-
-    private void enclose(int from, int to, float[] box) {
-        clear(box);
-        for (int i = from; i < to; i++) {
-            extend(box, boxes, 6 * i);
+        float area() {
+            return SahSplitter.area(box);
         }
     }
 
-    /** The least and the greatest centres, doubled: the sums of two opposite sides. */
-    private float[] centres(int from, int to) {
-        float minX = Float.POSITIVE_INFINITY, minY = minX, minZ = minX;
-        float maxX = Float.NEGATIVE_INFINITY, maxY = maxX, maxZ = maxX;
+    Range range(int from, int to) {
+        float[] box = emptyBox(), centres = emptyBox();
         for (int i = 6 * from; i < 6 * to; i += 6) {
-            float x = boxes[i] + boxes[i + 3], y = boxes[i + 1] + boxes[i + 4], z = boxes[i + 2] + boxes[i + 5];
-            minX = x < minX ? x : minX;
-            minY = y < minY ? y : minY;
-            minZ = z < minZ ? z : minZ;
-            maxX = x > maxX ? x : maxX;
-            maxY = y > maxY ? y : maxY;
-            maxZ = z > maxZ ? z : maxZ;
+            extend(box, boxes, i);
+            for (int side = 0; side < 3; side++) {
+                float centre = boxes[i + side] + boxes[i + side + 3];
+                centres[side] = Math.min(centres[side], centre);
+                centres[side + 3] = Math.max(centres[side + 3], centre);
+            }
         }
-        return new float[] {minX, minY, minZ, maxX, maxY, maxZ};
+        return new Range(from, to, box, centres);
     }
 
-    private static int widest(float[] box) {
-        float x = box[3] - box[0], y = box[4] - box[1], z = box[5] - box[2];
-        return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    /** Brings a range's primitives into the order of their side; returns where the second side starts, inside the range. */
+    int split(Range range) {
+        float[] c = range.centres;
+        float x = c[3] - c[0], y = c[4] - c[1], z = c[5] - c[2];
+        axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+        min = c[axis];
+        float spread = c[axis + 3] - min;
+        if (!(spread > 0)) {
+            // Centres that coincide: any half will do.
+            return (range.from + range.to) >>> 1;
+        }
+        used = range.size() < FEW ? BINS / 2 : BINS;
+        binsPerUnit = used / spread;
+        fillBins(range);
+        return partition(range, cheapest(range.size()));
     }
 
-    private int bin(int box, int axis, float min, float binsPerUnit) {
+    private int bin(int box) {
         return Math.min(used - 1, (int) ((boxes[box + axis] + boxes[box + axis + 3] - min) * binsPerUnit));
     }
 
-    private void fillBins(int from, int to, int axis, float min, float binsPerUnit) {
+    private void fillBins(Range range) {
         for (int bin = 0; bin < used; bin++) {
             counts[bin] = 0;
             clear(bins[bin]);
         }
-        for (int i = 6 * from; i < 6 * to; i += 6) {
-            int bin = bin(i, axis, min, binsPerUnit);
+        for (int i = 6 * range.from; i < 6 * range.to; i += 6) {
+            int bin = bin(i);
             counts[bin]++;
             extend(bins[bin], boxes, i);
         }
@@ -127,23 +102,21 @@ final class SahSplitter {
 
     /** The first bin of the right side for which the sum of both sides' count times surface is least. */
     private int cheapest(int all) {
-        float[] box = new float[6];
-        clear(box);
+        float[] right = emptyBox(), left = emptyBox();
         for (int bin = used - 1; bin > 0; bin--) {
-            extend(box, bins[bin], 0);
-            rightAreas[bin] = area(box);
+            extend(right, bins[bin], 0);
+            rightAreas[bin] = area(right);
         }
-        clear(box);
         int best = 0;
-        float min = Float.POSITIVE_INFINITY;
+        float least = Float.POSITIVE_INFINITY;
         int before = 0;
         for (int bin = 1; bin < used; bin++) {
-            extend(box, bins[bin - 1], 0);
+            extend(left, bins[bin - 1], 0);
             before += counts[bin - 1];
             if (before > 0 && before < all) {
-                float cost = area(box) * before + rightAreas[bin] * (all - before);
-                if (cost < min) {
-                    min = cost;
+                float cost = area(left) * before + rightAreas[bin] * (all - before);
+                if (cost < least) {
+                    least = cost;
                     best = bin;
                 }
             }
@@ -151,14 +124,14 @@ final class SahSplitter {
         return best;
     }
 
-    private int partition(int from, int to, int axis, float min, float binsPerUnit, int firstRight) {
-        int i = from;
-        int j = to;
+    private int partition(Range range, int firstRight) {
+        int i = range.from;
+        int j = range.to;
         while (true) {
-            while (i < j && bin(6 * i, axis, min, binsPerUnit) < firstRight) {
+            while (i < j && bin(6 * i) < firstRight) {
                 i++;
             }
-            while (i < j && bin(6 * (j - 1), axis, min, binsPerUnit) >= firstRight) {
+            while (i < j && bin(6 * (j - 1)) >= firstRight) {
                 j--;
             }
             if (i == j) {
@@ -180,11 +153,10 @@ final class SahSplitter {
         }
     }
 
-    private void merge(int fromBin, int toBin, float[] box) {
+    private static float[] emptyBox() {
+        float[] box = new float[6];
         clear(box);
-        for (int bin = fromBin; bin < toBin; bin++) {
-            extend(box, bins[bin], 0);
-        }
+        return box;
     }
 
     private static void clear(float[] box) {

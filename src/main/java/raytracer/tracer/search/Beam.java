@@ -32,9 +32,12 @@ public final class Beam {
     private final double[] perMin = new double[3];
     private final double[] perMax = new double[3];
 
-    private final int[] primitives = new int[MAX + Bvh.LEAF_SIZE];
-    private int count;
-    private int entry;
+    // What the last search found: so many primitives, by their places in the tree's order; and the deepest node or leaf
+    // that holds all that the rays may hit, where their own walks may begin.
+    final int[] primitives = new int[MAX + Bvh.LEAF_SIZE];
+    int count;
+    int entry;
+
     private int[] stack = new int[64];
 
     /**
@@ -76,20 +79,6 @@ public final class Beam {
             }
         }
         return true;
-    }
-
-    int count() {
-        return count;
-    }
-
-    /** The deepest node or leaf that holds all that the rays may hit: where their own walks may begin. */
-    int entry() {
-        return entry;
-    }
-
-    /** Primitive number i of those found: its place in the tree's order. */
-    int primitive(int i) {
-        return primitives[i];
     }
 
     /** Whether the rays start near enough, and go the same way along at least one axis. */

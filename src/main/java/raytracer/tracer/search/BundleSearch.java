@@ -38,8 +38,8 @@ public final class BundleSearch {
                 return true;
             }
         }
-        for (int n = 0; n < beam.count(); n++) {
-            if (predicate.test(beam.primitive(n))) {
+        for (int n = 0; n < beam.count; n++) {
+            if (predicate.test(beam.primitives[n])) {
                 return true;
             }
         }

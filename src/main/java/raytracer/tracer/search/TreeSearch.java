@@ -60,7 +60,7 @@ abstract class TreeSearch implements Search {
         enclose(from, to);
         if (!space.beam().gather(space.intervals(), bvh)) {
             walk(from, to);
-        } else if (space.beam().count() > 0) {
+        } else if (space.beam().count > 0) {
             tryGathered(from, to);
         }
     }
@@ -75,8 +75,8 @@ abstract class TreeSearch implements Search {
 
     private void tryGathered(int from, int to) {
         prepare(from, to);
-        for (int n = 0; n < space.beam().count(); n++) {
-            tryAll(from, to, space.beam().primitive(n));
+        for (int n = 0; n < space.beam().count; n++) {
+            tryAll(from, to, space.beam().primitives[n]);
         }
     }
 
@@ -93,10 +93,10 @@ abstract class TreeSearch implements Search {
     private void walk(int i) {
         BvhWalk walk = space.surfaces().walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], direction.x()[i], direction.y()[i], direction.z()[i])) {
-            walk.enter(space.beam().entry());
+            walk.enter(space.beam().entry);
             if (surfaces.hasSieve()) {
                 SieveLine line = space.surfaces().line;
-                line.setPoint(walk.x(), walk.y(), walk.z(), walk.start());
+                line.setPoint(walk.x, walk.y, walk.z, walk.start);
                 line.setDirection(direction.x()[i], direction.y()[i], direction.z()[i],
                         originError[i] * bvh.space().scale(), directionError[i]);
             }
@@ -106,9 +106,9 @@ abstract class TreeSearch implements Search {
 
     private void tryLeaves(int ray, BvhWalk walk) {
         while (walk.nextLeaf(maxDistance(ray))) {
-            int bits = surfaces.mayHit(walk.first(), walk.end(), space.surfaces());
+            int bits = surfaces.mayHit(walk.first, walk.end, space.surfaces());
             for (; bits != 0; bits &= bits - 1) {
-                if (tryOne(ray, walk.first() + Integer.numberOfTrailingZeros(bits))) {
+                if (tryOne(ray, walk.first + Integer.numberOfTrailingZeros(bits))) {
                     return;
                 }
             }

@@ -53,7 +53,7 @@ public abstract class Surfaces {
         BvhWalk walk = workspace.walk;
         if (walk.start(bvh, rays.ox[ray], rays.oy[ray], rays.oz[ray], rays.dx[ray], rays.dy[ray], rays.dz[ray])) {
             while (walk.nextLeaf(rays.maxDistance(ray))) {
-                for (int k = walk.first(); k < walk.end(); k++) {
+                for (int k = walk.first; k < walk.end; k++) {
                     collect(rays, ray, k, candidates);
                 }
             }

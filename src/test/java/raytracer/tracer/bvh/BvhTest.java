@@ -62,7 +62,7 @@ public class BvhTest {
             things.set(bvh.order()[k]);
         }
         while (walk.nextLeaf(limit)) {
-            for (int k = walk.first(); k < walk.end(); k++) {
+            for (int k = walk.first; k < walk.end; k++) {
                 assertTrue(!things.get(bvh.order()[k]), "a thing comes once");
                 things.set(bvh.order()[k]);
             }
@@ -132,7 +132,7 @@ public class BvhTest {
         BvhWalk walk = new BvhWalk();
         assertTrue(walk.start(bvh, along > 0 ? -5 : 45, .05, .05, along, 0, 0));
         assertTrue(walk.nextLeaf(Double.POSITIVE_INFINITY));
-        assertEquals(along > 0 ? 0 : 3, bvh.order()[walk.first()] % 4);
+        assertEquals(along > 0 ? 0 : 3, bvh.order()[walk.first] % 4);
     }
 
     @Test

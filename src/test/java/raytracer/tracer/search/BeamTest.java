@@ -46,8 +46,8 @@ class BeamTest {
 
     private BitSet gathered(Bvh bvh) {
         BitSet things = new BitSet();
-        for (int i = 0; i < beam.count(); i++) {
-            things.set(bvh.order()[beam.primitive(i)]);
+        for (int i = 0; i < beam.count; i++) {
+            things.set(bvh.order()[beam.primitives[i]]);
         }
         for (int k = 0; k < bvh.oversized(); k++) {
             things.set(bvh.order()[k]);
@@ -146,10 +146,10 @@ class BeamTest {
                         axis.z() + spread * random.nextGaussian()).unit(), .1 * random.nextDouble());
             }
             gather(bvh);
-            deep += beam.entry() != bvh.root() ? 1 : 0;
+            deep += beam.entry != bvh.root() ? 1 : 0;
             for (int i = 0; i < RAYS; i++) {
                 Vector from = new Vector(o[0][i], o[1][i], o[2][i]), way = new Vector(d[0][i], d[1][i], d[2][i]);
-                BitSet visited = BvhTest.visited(bvh, beam.entry(), from, way, distance[i]);
+                BitSet visited = BvhTest.visited(bvh, beam.entry, from, way, distance[i]);
                 for (int k = 0; k < boxes.length; k++) {
                     if (BvhTest.meets(boxes[k], from, way, distance[i])) {
                         assertTrue(visited.get(k), "tile " + tile + ", ray " + i + " misses box " + k);
@@ -187,10 +187,10 @@ class BeamTest {
         for (int i = 0; i < RAYS; i++) {
             set(i, new Vector(0, 0, 5), new Vector(0, 0, 1), Double.POSITIVE_INFINITY);
         }
-        assertTrue(gather(bvh) && beam.count() == 0);
+        assertTrue(gather(bvh) && beam.count == 0);
         for (int i = 0; i < RAYS; i++) {
             set(i, new Vector(0, 0, 5), new Vector(0, 0, -1), 3);
         }
-        assertTrue(gather(bvh) && beam.count() == 0);
+        assertTrue(gather(bvh) && beam.count == 0);
     }
 }
