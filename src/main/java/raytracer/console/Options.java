@@ -20,15 +20,16 @@ public final class Options {
     private static final int MAX_SECONDS = 24 * 60 * 60;
     private static final int DEFAULT_SECONDS = 60;
 
-    private static final Pattern SIZE = Pattern.compile("(\\d{1,10})[xX](\\d{1,10})");
-    private static final Pattern REGION = Pattern.compile("(\\d{1,10}),(\\d{1,10}),(\\d{1,10}),(\\d{1,10})");
-    private static final Pattern PIXEL = Pattern.compile("(\\d{1,10}),(\\d{1,10})");
-
     /** A number or a fraction. */
     private static final Pattern ERROR = Pattern.compile("auto:(\\d*\\.?\\d+)(?:/(\\d*\\.?\\d+))?");
 
     private final List<String> scenes = new ArrayList<>();
     private final Map<Option, String> values = new EnumMap<>(Option.class);
+
+    /** Of the options whose values are whole numbers. */
+    private final Map<Option, int[]> numbers = new EnumMap<>(Option.class);
+
+    private Sampling sampling = Sampling.CENTRES;
 
     public static Options parse(String... args) throws UsageException {
         Options options = new Options();
@@ -36,7 +37,7 @@ public final class Options {
         if (!options.has(Option.HELP) && !options.has(Option.VERSION)) {
             options.requireScenes();
             options.requireSense();
-            options.requireValues();
+            options.readValues();
         }
         return options;
     }
@@ -117,17 +118,68 @@ public final class Options {
         }
     }
 
-    /** Reads every value once, so that all of them can be read from now on. */
-    private void requireValues() throws UsageException {
-        requireWhole(Option.MAXDEPTH, 1, Integer.MAX_VALUE);
-        requireWhole(Option.THREADS, 1, MAX_THREADS);
-        requireWhole(Option.REPEAT, 1, Integer.MAX_VALUE);
-        requireWhole(Option.TOLERANCE, 0, 255);
-        requireWhole(Option.CHART_SECONDS, 1, MAX_SECONDS);
-        numbers(Option.SIZE, SIZE, "like 640x480", 1, "width", "height");
-        region();
-        pixel();
-        sampling();
+    private void readValues() throws UsageException {
+        readWhole(Option.MAXDEPTH, 1, Integer.MAX_VALUE);
+        readWhole(Option.THREADS, 1, MAX_THREADS);
+        readWhole(Option.REPEAT, 1, Integer.MAX_VALUE);
+        readWhole(Option.TOLERANCE, 0, 255);
+        readWhole(Option.CHART_SECONDS, 1, MAX_SECONDS);
+        readWholes(Option.SIZE, "[xX]", "like 640x480", "width", "height");
+        readWholes(Option.REGION, ",", "like 0,120,640,60: column, row, width and height of a part of the picture",
+                "column", "row", "width", "height");
+        readWholes(Option.EXPLAIN, ",", "like 100,85: column and row of a pixel", "column", "row");
+        if (has(Option.SAMPLES)) {
+            sampling = sampling(text(Option.SAMPLES));
+        }
+    }
+
+    private void readWhole(Option option, int min, int max) throws UsageException {
+        if (has(option)) {
+            numbers.put(option, new int[] {whole(option.flag(), text(option), min, max)});
+        }
+    }
+
+    /** @param names what its numbers are called: columns and rows count from 0 */
+    private void readWholes(Option option, String separator, String like, String... names) throws UsageException {
+        if (!has(option)) {
+            return;
+        }
+        String[] parts = text(option).split(separator, -1);
+        if (parts.length != names.length) {
+            throw new UsageException("expected " + option.flag() + " to be " + like + ", found '" + text(option) + "'");
+        }
+        int[] all = new int[parts.length];
+        for (int i = 0; i < parts.length; i++) {
+            int min = names[i].equals("column") || names[i].equals("row") ? 0 : 1;
+            all[i] = whole("the " + names[i] + " of " + option.flag(), parts[i], min, Integer.MAX_VALUE);
+        }
+        numbers.put(option, all);
+    }
+
+    private static int whole(String name, String text, int min, int max) throws UsageException {
+        long value = text.matches("\\+?\\d{1,10}") ? Long.parseLong(text) : -1;
+        if (value < min || value > max) {
+            throw new UsageException("expected " + name + " to be a whole number from " + min + " to " + max
+                    + ", found '" + text + "'");
+        }
+        return (int) value;
+    }
+
+    private static Sampling sampling(String text) throws UsageException {
+        if (text.equals("auto")) {
+            return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);
+        }
+        if (!text.startsWith("auto:")) {
+            return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MAX));
+        }
+        Matcher m = ERROR.matcher(text);
+        double error = !m.matches() ? 0
+                : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
+        if (!(error >= Sampling.Adaptive.MIN && error < 1)) {
+            throw new UsageException("expected the error of --samples auto:E to be like 0.002 or 1/255, from 0.0001"
+                    + " to below 1, found '" + text.substring("auto:".length()) + "'");
+        }
+        return new Sampling.Adaptive(error);
     }
 
     public List<String> scenes() {
@@ -153,34 +205,23 @@ public final class Options {
 
     /** The value of an option that is a whole number, or what it is if the option is not given. */
     public int whole(Option option, int otherwise) {
-        return has(option) ? Integer.parseInt(text(option)) : otherwise;
+        return has(option) ? numbers.get(option)[0] : otherwise;
     }
 
-    private void requireWhole(Option option, int min, int max) throws UsageException {
-        if (has(option)) {
-            whole(option.flag(), text(option), min, max);
-        }
-    }
-
-    private static int whole(String name, String text, int min, int max) throws UsageException {
-        long value = text.matches("\\+?\\d{1,10}") ? Long.parseLong(text) : -1;
-        if (value < min || value > max) {
-            throw new UsageException("expected " + name + " to be a whole number from " + min + " to " + max
-                    + ", found '" + text + "'");
-        }
-        return (int) value;
+    public Sampling sampling() {
+        return sampling;
     }
 
     /** The scene with what the options override. */
-    public Scene override(Scene scene) throws UsageException {
-        int[] size = numbers(Option.SIZE, SIZE, "like 640x480", 1, "width", "height");
+    public Scene override(Scene scene) {
+        int[] size = numbers.get(Option.SIZE);
         Scene sized = size == null ? scene : scene.withSize(size[0], size[1]);
         return sized.withMaxDepth(whole(Option.MAXDEPTH, scene.maxDepth()));
     }
 
     /** The part of a picture of this size that is wanted: all, if none is given. */
     public Region region(int width, int height) throws UsageException {
-        int[] r = region();
+        int[] r = numbers.get(Option.REGION);
         if (r == null) {
             return Region.whole(width, height);
         }
@@ -192,61 +233,13 @@ public final class Options {
         return new Region(r[0], r[1], r[2], r[3]);
     }
 
-    private int[] region() throws UsageException {
-        int[] r = numbers(Option.REGION, REGION, "like 0,120,640,60: column, row, width and height of a part of the"
-                + " picture", 0, "column", "row", "width", "height");
-        for (int side = 2; r != null && side < 4; side++) {
-            whole("the " + (side == 2 ? "width" : "height") + " of --region", "" + r[side], 1, Integer.MAX_VALUE);
-        }
-        return r;
-    }
-
     /** The column and the row of the pixel that is to be explained, in a picture of this size. */
     public int[] pixel(int width, int height) throws UsageException {
-        int[] pixel = pixel();
+        int[] pixel = numbers.get(Option.EXPLAIN);
         if (pixel[0] >= width || pixel[1] >= height) {
             throw new UsageException("expected --explain to be inside the picture of " + width + "x" + height
                     + ", found column " + pixel[0] + " and row " + pixel[1] + "; both count from 0");
         }
         return pixel;
-    }
-
-    private int[] pixel() throws UsageException {
-        return numbers(Option.EXPLAIN, PIXEL, "like 100,85: column and row of a pixel", 0, "column", "row");
-    }
-
-    /** The numbers of a value of several; null if it is not given. */
-    private int[] numbers(Option option, Pattern pattern, String like, int min, String... names)
-            throws UsageException {
-        if (!has(option)) {
-            return null;
-        }
-        Matcher m = pattern.matcher(text(option));
-        if (!m.matches()) {
-            throw new UsageException("expected " + option.flag() + " to be " + like + ", found '" + text(option) + "'");
-        }
-        int[] numbers = new int[names.length];
-        for (int i = 0; i < names.length; i++) {
-            numbers[i] = whole("the " + names[i] + " of " + option.flag(), m.group(i + 1), min, Integer.MAX_VALUE);
-        }
-        return numbers;
-    }
-
-    public Sampling sampling() throws UsageException {
-        String text = has(Option.SAMPLES) ? text(Option.SAMPLES) : "1";
-        if (text.equals("auto")) {
-            return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);
-        }
-        if (!text.startsWith("auto:")) {
-            return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MAX));
-        }
-        Matcher m = ERROR.matcher(text);
-        double error = !m.matches() ? 0
-                : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
-        if (!(error >= Sampling.Adaptive.MIN && error < 1)) {
-            throw new UsageException("expected the error of --samples auto:E to be like 0.002 or 1/255, from 0.0001"
-                    + " to below 1, found '" + text.substring("auto:".length()) + "'");
-        }
-        return new Sampling.Adaptive(error);
     }
 }

@@ -25,36 +25,37 @@ public record Comparison(long pixels, long beyond, int max, int x, int y, double
      */
     public static Comparison of(BufferedImage actual, BufferedImage expected, int tolerance) {
         int w = actual.getWidth(), h = actual.getHeight();
-        int[] most = new int[w];
         BufferedImage difference = new BufferedImage(w, h, BufferedImage.TYPE_INT_RGB);
         long pixels = 0, beyond = 0, squares = 0;
-        int max = 0, x = 0, y = 0, left = w, top = h, right = -1, bottom = -1;
-        for (int row = 0; row < h; row++) {
-            for (int column = 0; column < w; column++) {
-                int a = actual.getRGB(column, row), b = expected.getRGB(column, row);
+        int max = 0, maxX = 0, maxY = 0, left = w, top = h, right = -1, bottom = -1;
+        for (int y = 0; y < h; y++) {
+            for (int x = 0; x < w; x++) {
+                int a = actual.getRGB(x, y), b = expected.getRGB(x, y);
                 int red = distance(a >> 16, b >> 16), green = distance(a >> 8, b >> 8), blue = distance(a, b);
-                most[column] = Math.max(red, Math.max(green, blue));
+                int most = Math.max(red, Math.max(green, blue));
                 squares += red * red + green * green + blue * blue;
-                if (difference.getRGB(column, row) << 8 == 0) {
-                    difference.setRGB(column, row, dimmed(a));
+                if (difference.getRGB(x, y) << 8 == 0) {
+                    difference.setRGB(x, y, dimmed(a));
                 }
-                if (most[column] == 0) {
-                    continue;
+                if (most > tolerance) {
+                    beyond++;
+                    mark(difference, x, y, most);
                 }
-                pixels++;
-                if (most[column] > max) {
-                    max = most[column];
-                    x = column;
-                    y = row;
+                if (most > max) {
+                    max = most;
+                    maxX = x;
+                    maxY = y;
                 }
-                left = Math.min(left, column);
-                right = Math.max(right, column);
-                top = Math.min(top, row);
-                bottom = row;
+                if (most > 0) {
+                    pixels++;
+                    left = Math.min(left, x);
+                    right = Math.max(right, x);
+                    top = Math.min(top, y);
+                    bottom = y;
+                }
             }
-            beyond += mark(difference, row, most, tolerance);
         }
-        return new Comparison(pixels, beyond, max, x, y, Math.sqrt(squares / (3.0 * w * h)),
+        return new Comparison(pixels, beyond, max, maxX, maxY, Math.sqrt(squares / (3.0 * w * h)),
                 left, top, right, bottom, difference);
     }
 
@@ -67,23 +68,15 @@ public record Comparison(long pixels, long beyond, int max, int x, int y, double
         return ((rgb >> 16 & 255) + (rgb >> 8 & 255) + (rgb & 255)) / 12 * 0x010101;
     }
 
-    /** Marks the pixels of a row that differ by more than the tolerance; returns how many. */
-    private static long mark(BufferedImage difference, int row, int[] most, int tolerance) {
-        long count = 0;
-        for (int column = 0; column < most.length; column++) {
-            if (most[column] > tolerance) {
-                count++;
-                for (int y = Math.max(0, row - 1); y <= Math.min(difference.getHeight() - 1, row + 1); y++) {
-                    for (int x = Math.max(0, column - 1); x <= Math.min(most.length - 1, column + 1); x++) {
-                        if (!isMark(difference.getRGB(x, y))) {
-                            difference.setRGB(x, y, HALO);
-                        }
-                    }
+    private static void mark(BufferedImage difference, int column, int row, int most) {
+        for (int y = Math.max(0, row - 1); y <= Math.min(difference.getHeight() - 1, row + 1); y++) {
+            for (int x = Math.max(0, column - 1); x <= Math.min(difference.getWidth() - 1, column + 1); x++) {
+                if (!isMark(difference.getRGB(x, y))) {
+                    difference.setRGB(x, y, HALO);
                 }
-                difference.setRGB(column, row, shown(most[column]));
             }
         }
-        return count;
+        difference.setRGB(column, row, shown(most));
     }
 
     private static boolean isMark(int rgb) {

@@ -28,20 +28,11 @@ final class Diagnostics {
     private final List<Diagnostic> warnings = new ArrayList<>();
     private long errorCount;
 
-    /** By word that is no command: what was said of it. */
-    private final Map<String, Unknown> unknown = new HashMap<>();
+    /** By word that is no command: on how many lines it is. */
+    private final Map<String, Long> unknown = new HashMap<>();
 
-    /** A word that is no command: what is said of it, where that is listed (negative if it is not), and how often. */
-    private static final class Unknown {
-        private final String advice;
-        private final int index;
-        private long lines = 1;
-
-        Unknown(String advice, int index) {
-            this.advice = advice;
-            this.index = index;
-        }
-    }
+    /** By number of an error that is listed: the word that is no command. */
+    private final Map<Integer, String> unknownAt = new HashMap<>();
 
     Diagnostics(String file, LineReader reader) {
         this.file = file;
@@ -76,24 +67,16 @@ final class Diagnostics {
 
     /** A word on the current line that is no command; one error, however often it comes. */
     void unknownCommand(String word, int from, int to) {
-        Unknown known = unknown.get(word);
-        if (known != null) {
-            known.lines++;
-            return;
+        if (unknown.merge(word, 1L, Long::sum) == 1) {
+            unknownAt.put(errors.size(), word);
+            error(from, to, "expected a command, found " + quote(from, to));
         }
-        int index = errors.size() < MAX_ERRORS ? errors.size() : -1;
-        unknown.put(word, new Unknown(Command.advice(word), index));
-        error(from, to, "expected a command, found " + quote(from, to));
     }
 
-    private void completeUnknown() {
-        for (Unknown u : unknown.values()) {
-            if (u.index >= 0) {
-                Diagnostic e = errors.get(u.index);
-                String often = u.lines == 1 ? "" : " (on " + u.lines + " lines)";
-                errors.set(u.index, new Diagnostic(e.file(), e.line(), e.column(), e.message() + often + u.advice, e.excerpt()));
-            }
-        }
+    private Diagnostic completed(Diagnostic e, String word) {
+        long lines = unknown.get(word);
+        return new Diagnostic(e.file(), e.line(), e.column(),
+                e.message() + (lines == 1 ? "" : " (on " + lines + " lines)") + Command.advice(word), e.excerpt());
     }
 
     /** Whether so much is wrong that reading on is no use. */
@@ -115,7 +98,11 @@ final class Diagnostics {
     }
 
     SceneException exception() {
-        completeUnknown();
+        for (int i = 0; i < errors.size(); i++) {
+            if (unknownAt.containsKey(i)) {
+                errors.set(i, completed(errors.get(i), unknownAt.get(i)));
+            }
+        }
         return new SceneException(errors, errorCount - errors.size(), isHopeless());
     }
 

@@ -1,7 +1,6 @@
 package raytracer.render;
 
 import raytracer.tracer.PixelSink;
-import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 import raytracer.tracer.rays.Samples;
@@ -26,9 +25,7 @@ final class AdaptiveSampler implements Sampler {
     private final Samples corners = new Samples();
     private final SampleQueue queue;
 
-    private int left;
-    private int top;
-    private int columns;
+    private Region tile;
     private PixelMeans means;
 
     AdaptiveSampler(TileTracer tracer, double error, SampleBudget.Chosen budget) {
@@ -39,13 +36,11 @@ final class AdaptiveSampler implements Sampler {
     }
 
     @Override
-    public void render(int left, int top, int columns, int rows, PixelSink sink) {
-        this.left = left;
-        this.top = top;
-        this.columns = columns;
-        means = new PixelMeans(columns * rows);
+    public void render(Region newTile, PixelSink sink) {
+        tile = newTile;
+        means = new PixelMeans(tile.pixels());
         queue.start(means);
-        boolean[] settled = tracer.traceCorners(left, top, columns, rows, error, corners);
+        boolean[] settled = tracer.traceCorners(tile.x(), tile.y(), tile.width(), tile.height(), error, corners);
         for (int pixel = 0; pixel < settled.length; pixel++) {
             if (settled[pixel]) {
                 addCorners(pixel);
@@ -60,24 +55,18 @@ final class AdaptiveSampler implements Sampler {
             }
         }
         queue.flush();
-        means.send(left, top, columns, rows, sink);
+        means.send(tile, sink);
     }
 
     /** Gives a settled pixel the samples at its corners. */
     private void addCorners(int pixel) {
-        int corner = pixel / columns * (columns + 1) + pixel % columns;
-        means.add(corners, corner, pixel);
-        means.add(corners, corner + 1, pixel);
-        means.add(corners, corner + columns + 1, pixel);
-        means.add(corners, corner + columns + 2, pixel);
+        int corner = pixel / tile.width() * (tile.width() + 1) + pixel % tile.width();
+        for (int i : new int[] {corner, corner + 1, corner + tile.width() + 1, corner + tile.width() + 2}) {
+            means.add(corners, i, pixel);
+        }
     }
 
     private void add(int pixel, int samples) {
-        queue.add(pixel, left + pixel % columns, top + pixel / columns, samples, 0);
-    }
-
-    @Override
-    public RayCounts counts() {
-        return tracer.counts();
+        queue.add(pixel, tile.column(pixel), tile.row(pixel), samples, 0);
     }
 }

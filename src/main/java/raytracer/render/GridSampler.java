@@ -1,7 +1,6 @@
 package raytracer.render;
 
 import raytracer.tracer.PixelSink;
-import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 import raytracer.tracer.rays.Samples;
@@ -24,16 +23,17 @@ final class GridSampler implements Sampler {
     }
 
     @Override
-    public void render(int left, int top, int columns, int rows, PixelSink sink) {
+    public void render(Region tile, PixelSink sink) {
+        int left = tile.x(), top = tile.y(), columns = tile.width(), rows = tile.height();
         if (n == 1) {
             // A pixel's one sample is its colour, and is cut where it becomes a byte.
             enlarged.traceCentres(left, top, columns, rows, samples);
             sink.setPixels(left, top, columns, rows, samples.red, samples.green, samples.blue);
             return;
         }
-        red = new double[columns * rows];
-        green = new double[columns * rows];
-        blue = new double[columns * rows];
+        red = new double[tile.pixels()];
+        green = new double[tile.pixels()];
+        blue = new double[tile.pixels()];
         // As many whole pixels as can be traced together, or part of one.
         int side = n > Tracer.TILE_SIDE ? Tracer.TILE_SIDE : Tracer.TILE_SIDE / n * n;
         for (int y = 0; y < rows * n; y += side) {
@@ -71,10 +71,5 @@ final class GridSampler implements Sampler {
     /** To [0, 1]; what is no number stays none. */
     private static double cut(double c) {
         return c < 0 ? 0 : c > 1 ? 1 : c;
-    }
-
-    @Override
-    public RayCounts counts() {
-        return enlarged.counts();
     }
 }

@@ -74,28 +74,35 @@ final class Pilots {
         TileTracer mine = tracer.newTileTracer();
         SampleQueue queue = new SampleQueue(mine);
         for (int i; (i = next.getAndIncrement()) < byTile.length; ) {
-            byTile[i] = sample((long) i * stride, queue);
+            byTile[i] = sample(i, queue);
         }
         return mine.counts();
     }
 
-    private SampleBudget.Pilot[] sample(long tile, SampleQueue queue) {
-        int count = Math.max(1, PER_TILE * tiles.pixels(tile) / AdaptiveSampler.TILE_PIXELS);
-        PixelMeans coarse = means(tile, count, few(), queue), fine = means(tile, count, 4 * few(), queue);
+    /** The tile that pilots i are in. */
+    private Region tile(int i) {
+        return tiles.get((long) i * stride);
+    }
+
+    private SampleBudget.Pilot[] sample(int ofTile, SampleQueue queue) {
+        int count = Math.max(1, PER_TILE * tile(ofTile).pixels() / AdaptiveSampler.TILE_PIXELS);
+        PixelMeans coarse = means(ofTile, count, few(), queue), fine = means(ofTile, count, 4 * few(), queue);
         SampleBudget.Pilot[] pilots = new SampleBudget.Pilot[count];
         Arrays.setAll(pilots, i -> new SampleBudget.Pilot(
                 coarse.variance(i), fine.variance(i), fine.squaredDifference(coarse, i)));
         return pilots;
     }
 
-    private PixelMeans means(long tile, int count, int samples, SampleQueue queue) {
+    private PixelMeans means(int ofTile, int count, int samples, SampleQueue queue) {
+        Region tile = tile(ofTile);
+        long number = (long) ofTile * stride;
         PixelMeans means = new PixelMeans(count);
         queue.start(means);
         for (int i = 0; i < count; i++) {
             // A lattice, and not the same one in each tile, as pictures may be regular.
-            double x = tile * Math.sqrt(2) + (i + 0.5) / count, y = (tile + i) * GOLDEN;
-            queue.add(i, tiles.left(tile) + (int) (tiles.columns(tile) * (x - Math.floor(x))),
-                    tiles.top(tile) + (int) (tiles.rows(tile) * (y - Math.floor(y))), samples, 0);
+            double x = number * Math.sqrt(2) + (i + 0.5) / count, y = (number + i) * GOLDEN;
+            queue.add(i, tile.x() + (int) (tile.width() * (x - Math.floor(x))),
+                    tile.y() + (int) (tile.height() * (y - Math.floor(y))), samples, 0);
         }
         queue.flush();
         return means;
@@ -106,9 +113,9 @@ final class Pilots {
         TileTracer mine = tracer.newTileTracer();
         Samples corners = new Samples();
         for (int i; (i = nextProof.getAndAdd(TILES_PER_PROOF)) < byTile.length; ) {
-            long tile = (long) i * stride;
+            Region tile = tile(i);
             for (boolean isSettled : mine.traceCorners(
-                    tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), error, corners)) {
+                    tile.x(), tile.y(), tile.width(), tile.height(), error, corners)) {
                 provedPixels.incrementAndGet();
                 unsettledPixels.addAndGet(isSettled ? 0 : 1);
             }

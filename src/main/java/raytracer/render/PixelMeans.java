@@ -50,13 +50,13 @@ final class PixelMeans {
         return (r * r + g * g + b * b) / 3;
     }
 
-    /** Sends all pixels of a rectangle, of which these are the means, which so are no sums any more. */
-    void send(int left, int top, int columns, int rows, PixelSink sink) {
-        for (int p = 0; p < columns * rows; p++) {
+    /** Sends all pixels of a tile, of which these are the means, which so are no sums any more. */
+    void send(Region tile, PixelSink sink) {
+        for (int p = 0; p < count.length; p++) {
             red[p] /= count[p];
             green[p] /= count[p];
             blue[p] /= count[p];
         }
-        sink.setPixels(left, top, columns, rows, red, green, blue);
+        sink.setPixels(tile.x(), tile.y(), tile.width(), tile.height(), red, green, blue);
     }
 }

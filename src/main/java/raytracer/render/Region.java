@@ -13,6 +13,19 @@ public record Region(int x, int y, int width, int height) {
         return new Region(0, 0, width, height);
     }
 
+    int pixels() {
+        return width * height;
+    }
+
+    /** The column of pixel i, row by row. */
+    int column(int i) {
+        return x + i % width;
+    }
+
+    int row(int i) {
+        return y + i / width;
+    }
+
     /** The smallest rectangle of whole tiles of a picture that holds this; tiles at its right and bottom may be cut. */
     Region aligned(int side, int pictureWidth, int pictureHeight) {
         int left = x / side * side, top = y / side * side;

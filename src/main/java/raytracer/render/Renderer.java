@@ -8,8 +8,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
+import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
 
 /**
@@ -51,16 +53,16 @@ public final class Renderer {
             if (sampling instanceof Sampling.Adaptive adaptive) {
                 return renderAdaptively(adaptive.error(), pool);
             }
-            return onAllThreads(pool, () -> work(newSampler()));
+            Tracer enlarged = sampling instanceof Sampling.Grid grid ? tracer.enlarged(grid.n()) : tracer;
+            return onAllThreads(pool, () -> work(enlarged, this::newSampler));
         } finally {
             pool.shutdownNow();
         }
     }
 
-    private Sampler newSampler() {
-        return sampling instanceof Sampling.Grid grid
-                ? new GridSampler(tracer.enlarged(grid.n()).newTileTracer(), grid.n())
-                : new LatticeSampler(tracer.newTileTracer(), (Sampling.Lattice) sampling);
+    private Sampler newSampler(TileTracer mine) {
+        return sampling instanceof Sampling.Grid grid ? new GridSampler(mine, grid.n())
+                : new LatticeSampler(mine, (Sampling.Lattice) sampling);
     }
 
     private RayCounts renderAdaptively(double error, ExecutorService pool) {
@@ -76,9 +78,9 @@ public final class Renderer {
             before = before.plus(onAllThreads(pool, pilots::prove));
         }
         SampleBudget budget = guess.all() > 0 ? guess : pilots.budget();
-        return before.plus(onAllThreads(pool, () -> work(budget.all() > 0
-                ? new LatticeSampler(tracer.newTileTracer(), new Sampling.Lattice(budget.all(), 0))
-                : new AdaptiveSampler(tracer.newTileTracer(), error, budget.chosen()))));
+        return before.plus(onAllThreads(pool, () -> work(tracer, mine -> budget.all() > 0
+                ? new LatticeSampler(mine, new Sampling.Lattice(budget.all(), 0))
+                : new AdaptiveSampler(mine, error, budget.chosen()))));
     }
 
     private RayCounts onAllThreads(ExecutorService pool, Callable<RayCounts> work) {
@@ -119,10 +121,6 @@ public final class Renderer {
         @Override
         public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
             int left = Math.max(x, region.x()), right = Math.min(x + columns, region.x() + region.width());
-            if (left == x && right == x + columns && y >= region.y() && y + rows <= region.y() + region.height()) {
-                sink.setPixels(x - region.x(), y - region.y(), columns, rows, red, green, blue);
-                return;
-            }
             for (int row = Math.max(y, region.y()); row < Math.min(y + rows, region.y() + region.height()); row++) {
                 int from = (row - y) * columns + left - x, to = (row - y) * columns + right - x;
                 sink.setPixels(left - region.x(), row - region.y(), right - left, 1,
@@ -132,12 +130,14 @@ public final class Renderer {
         }
     }
 
-    private RayCounts work(Sampler sampler) {
+    private RayCounts work(Tracer of, Function<TileTracer, Sampler> newSampler) {
+        TileTracer mine = of.newTileTracer();
+        Sampler sampler = newSampler.apply(mine);
         PixelSink inRegion = new InRegion(region, sink);
         for (long tile; (tile = tiles.next()) < tiles.count(); ) {
-            sampler.render(tiles.left(tile), tiles.top(tile), tiles.columns(tile), tiles.rows(tile), inRegion);
+            sampler.render(tiles.get(tile), inRegion);
             done.incrementAndGet();
         }
-        return sampler.counts();
+        return mine.counts();
     }
 }

@@ -23,10 +23,6 @@ final class Tiles {
         return (pixels + side - 1L) / side;
     }
 
-    Region region() {
-        return region;
-    }
-
     long count() {
         return count;
     }
@@ -36,23 +32,9 @@ final class Tiles {
         return next.getAndIncrement();
     }
 
-    int left(long tile) {
-        return region.x() + (int) (tile % across) * side;
-    }
-
-    int top(long tile) {
-        return region.y() + (int) (tile / across) * side;
-    }
-
-    int columns(long tile) {
-        return Math.min(side, region.x() + region.width() - left(tile));
-    }
-
-    int rows(long tile) {
-        return Math.min(side, region.y() + region.height() - top(tile));
-    }
-
-    int pixels(long tile) {
-        return columns(tile) * rows(tile);
+    Region get(long tile) {
+        int left = region.x() + (int) (tile % across) * side, top = region.y() + (int) (tile / across) * side;
+        return new Region(left, top, Math.min(side, region.x() + region.width() - left),
+                Math.min(side, region.y() + region.height() - top));
     }
 }
