@@ -1,8 +1,5 @@
 package raytracer.chart;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -111,9 +108,5 @@ public final class Figure {
         svg.append("<g transform='translate(0 ").append(h - 24).append(")'>\n").append(legend).append("</g>\n");
         svg.append("<text class='foot' x='14' y='").append(h - 8).append("'>").append(foot).append("</text>\n</svg>\n");
         return svg.toString();
-    }
-
-    public void write(Path file) throws IOException {
-        Files.writeString(file, svg());
     }
 }

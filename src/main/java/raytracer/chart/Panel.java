@@ -111,23 +111,24 @@ public final class Panel {
         private void ticks() {
             List<Double> named = new ArrayList<>();
             for (double tick : xAxis.ticks()) {
-                double x = px(tick);
-                line("<path class='grid' d='M%.1f %d V%d'/>", x, TOP, height - BOTTOM);
-                if (named.stream().allMatch(other -> Math.abs(other - x) >= TICK_WIDTH)) {
-                    named.add(x);
-                    text(x, height - BOTTOM + 14, "tick", "middle", Axis.name(tick));
+                line("<path class='grid' d='M%.1f %d V%d'/>", px(tick), TOP, height - BOTTOM);
+                if (isApart(named, px(tick), TICK_WIDTH)) {
+                    text(px(tick), height - BOTTOM + 14, "tick", "middle", Axis.name(tick));
                 }
             }
             named.clear();
             for (double tick : yAxis.ticks()) {
-                double y = py(tick);
-                line("<path class='grid' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
-                if (named.stream().allMatch(other -> Math.abs(other - y) >= TICK_HEIGHT)) {
-                    named.add(y);
-                    text(LEFT - 5, y + 4, "tick", "end", Axis.name(tick));
+                line("<path class='grid' d='M%d %.1f H%d'/>", LEFT, py(tick), width - RIGHT);
+                if (isApart(named, py(tick), TICK_HEIGHT)) {
+                    text(LEFT - 5, py(tick) + 4, "tick", "end", Axis.name(tick));
                 }
             }
             line("<path class='frame' d='M%d %d V%d H%d'/>", LEFT, TOP, height - BOTTOM, width - RIGHT);
+        }
+
+        /** Whether a tick is far enough from those that are named, of which it then is one. */
+        private static boolean isApart(List<Double> named, double at, int distance) {
+            return named.stream().allMatch(other -> Math.abs(other - at) >= distance) && named.add(at);
         }
 
         private void draw(Line at) {

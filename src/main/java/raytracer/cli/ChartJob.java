@@ -32,7 +32,7 @@ import raytracer.tracer.Tracer;
 final class ChartJob {
 
     /** No visible difference: one step of 256. */
-    private static final double VISIBLE = Sampling.Adaptive.INVISIBLE;
+    private static final double VISIBLE = Sampling.Within.INVISIBLE;
 
     /** What rounding to 256 steps adds to the error of a picture, as the root of the mean square. */
     private static final double QUANTISATION = 1 / (255 * Math.sqrt(12));
@@ -117,7 +117,7 @@ final class ChartJob {
             all.add(new Setting("--samples " + n, n + "x" + n, 2, new Sampling.Grid(n), tracer));
             if (i < aims.length) {
                 all.add(new Setting("--samples auto:1/" + aims[i], "auto 1/" + aims[i], 4,
-                        new Sampling.Adaptive(1.0 / aims[i]), tracer));
+                        new Sampling.Within(1.0 / aims[i]), tracer));
             }
             if (n == 3) {
                 for (int depth = 1; depth < scene.maxDepth() && depth < 1 << 16; depth *= 2) {
@@ -202,7 +202,7 @@ final class ChartJob {
                 sentence(settings).replace("<", "&lt;"), 1, 900, 500);
         figure.add(panel);
         figure.explain(2, "n x n samples");
-        figure.explain(4, "samples where they are needed");
+        figure.explain(4, "as many as an error takes");
         figure.explain(0, "fewer mirrors");
         figure.explainBars("quartiles");
         figure.explainFront("no setting measured is faster and as accurate");

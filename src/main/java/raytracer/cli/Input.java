@@ -32,8 +32,8 @@ record Input(String file) {
         if (isStandard() || !Files.isRegularFile(path())) {
             return false;
         }
-        try (InputStream in = Files.newInputStream(path())) {
-            return PictureFile.isPng(in.readNBytes(8));
+        try (InputStream in = Files.newInputStream(path()); PictureFile picture = PictureFile.open(in)) {
+            return picture != null;
         }
     }
 

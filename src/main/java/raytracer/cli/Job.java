@@ -69,9 +69,8 @@ final class Job {
             return options.has(Option.EXPLAIN) ? explain() : isComparison() ? comparePicture() : parseAndRender();
         } catch (SceneException e) {
             e.errors().forEach(error -> terminal.tell(error.toString()));
-            if (e.unlisted() > 0) {
-                terminal.tell(input.name() + ": " + e.unlisted() + (e.unlisted() == 1 ? " more error" : " more errors")
-                        + (e.isCutShort() ? "; the rest was not read" : ""));
+            if (!e.rest().isEmpty()) {
+                terminal.tell(input.name() + ": " + e.rest());
             }
             return Main.BAD_INPUT;
         } catch (UsageException e) {

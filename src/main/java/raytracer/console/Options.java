@@ -167,7 +167,7 @@ public final class Options {
 
     private static Sampling sampling(String text) throws UsageException {
         if (text.equals("auto")) {
-            return new Sampling.Adaptive(Sampling.Adaptive.INVISIBLE);
+            return new Sampling.Within(Sampling.Within.INVISIBLE);
         }
         if (!text.startsWith("auto:")) {
             return new Sampling.Grid(whole("--samples, if not 'auto',", text, 1, Sampling.MAX));
@@ -175,11 +175,11 @@ public final class Options {
         Matcher m = ERROR.matcher(text);
         double error = !m.matches() ? 0
                 : Double.parseDouble(m.group(1)) / (m.group(2) == null ? 1 : Double.parseDouble(m.group(2)));
-        if (!(error >= Sampling.Adaptive.MIN && error < 1)) {
+        if (!(error >= Sampling.Within.MIN && error < 1)) {
             throw new UsageException("expected the error of --samples auto:E to be like 0.002 or 1/255, from 0.0001"
                     + " to below 1, found '" + text.substring("auto:".length()) + "'");
         }
-        return new Sampling.Adaptive(error);
+        return new Sampling.Within(error);
     }
 
     public List<String> scenes() {

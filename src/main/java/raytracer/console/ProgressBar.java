@@ -6,6 +6,10 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 
@@ -16,29 +20,39 @@ public final class ProgressBar {
     private static final long NEXT_MILLIS = 200;
     private static final int WIDTH = 40;
 
-    private final PrintStream err;
-    private final DoubleSupplier progress;
-    private final Stopwatch elapsed = new Stopwatch();
-    private final Thread thread = new Thread(this::show, "progress");
-    private boolean shown;
-
-    private ProgressBar(PrintStream err, DoubleSupplier progress) {
-        this.err = err;
-        this.progress = progress;
-    }
+    private ProgressBar() { }
 
     /** Does some work, and shows its progress meanwhile if that is wanted and {@code err} is a terminal. */
     public static <T> T during(Supplier<T> work, PrintStream err, boolean quiet, DoubleSupplier progress) {
         if (quiet || err != System.err || !isTerminal()) {
             return work.get();
         }
-        ProgressBar bar = new ProgressBar(err, progress);
-        bar.thread.setDaemon(true);
-        bar.thread.start();
+        Stopwatch elapsed = new Stopwatch();
+        ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor();
+        clock.scheduleAtFixedRate(() -> show(err, line(progress.getAsDouble(), elapsed.millis() / 1e3)),
+                FIRST_MILLIS, NEXT_MILLIS, TimeUnit.MILLISECONDS);
         try {
             return work.get();
         } finally {
-            bar.close();
+            close(clock);
+            if (elapsed.millis() >= FIRST_MILLIS) {
+                show(err, " ".repeat(WIDTH + 30) + "\r");
+            }
+        }
+    }
+
+    /** In place of the terminal's current line. */
+    private static void show(PrintStream err, String line) {
+        err.print("\r" + line);
+        err.flush();
+    }
+
+    private static void close(ExecutorService clock) {
+        clock.shutdown();
+        try {
+            clock.awaitTermination(NEXT_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 
@@ -63,37 +77,11 @@ public final class ProgressBar {
         }
     }
 
-    private void show() {
-        try {
-            Thread.sleep(FIRST_MILLIS);
-            while (true) {
-                err.print("\r" + line(progress.getAsDouble(), elapsed.millis() / 1e3));
-                err.flush();
-                shown = true;
-                Thread.sleep(NEXT_MILLIS);
-            }
-        } catch (InterruptedException closed) {
-            if (shown) {
-                err.print("\r" + " ".repeat(WIDTH + 30) + "\r");
-                err.flush();
-            }
-        }
-    }
-
     public static String line(double part, double seconds) {
         int full = (int) (WIDTH * part);
         double secondsLeft = Math.ceil(seconds * (1 - part) / part);
         String left = part > 0 ? String.format(Locale.ROOT, ", %.0f s left", secondsLeft) : "";
         return String.format(Locale.ROOT, "[%s%s] %3.0f %%%s  ", "#".repeat(full), " ".repeat(WIDTH - full),
                 Math.floor(100 * part), left);
-    }
-
-    private void close() {
-        thread.interrupt();
-        try {
-            thread.join();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
     }
 }

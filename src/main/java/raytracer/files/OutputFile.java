@@ -117,8 +117,9 @@ public final class OutputFile {
             try (OutputStream out = new BufferedOutputStream(open())) {
                 content.writeTo(out);
             }
-            if (Files.exists(place)) {
-                keepMode(place);
+            PosixFileAttributeView old = Files.getFileAttributeView(place, PosixFileAttributeView.class);
+            if (old != null && Files.exists(place)) {
+                Files.setPosixFilePermissions(temporary, old.readAttributes().permissions());
             }
             move(place);
         } finally {
@@ -145,13 +146,6 @@ public final class OutputFile {
             Files.deleteIfExists(temporary);
         } catch (IOException e) {
             // Its folder has gone or become read-only: nothing can be done about the file, and the cause is told.
-        }
-    }
-
-    private void keepMode(Path of) throws IOException {
-        PosixFileAttributeView old = Files.getFileAttributeView(of, PosixFileAttributeView.class);
-        if (old != null) {
-            Files.setPosixFilePermissions(temporary, old.readAttributes().permissions());
         }
     }
 

@@ -3,16 +3,12 @@ package raytracer.image;
 import raytracer.tracer.PixelSink;
 
 /** A picture of colours that are cut to [0, 1] but not rounded: to measure errors that are less than a step of 256. */
-public final class Canvas implements PixelSink {
+public record Canvas(int width, float[] values) implements PixelSink {
 
     private static final int COMPONENTS = 3;
 
-    private final int width;
-    private final float[] values;
-
     public Canvas(int width, int height) {
-        this.width = width;
-        values = new float[Math.multiplyExact(COMPONENTS, Math.multiplyExact(width, height))];
+        this(width, new float[Math.multiplyExact(COMPONENTS, Math.multiplyExact(width, height))]);
     }
 
     @Override
@@ -27,11 +23,6 @@ public final class Canvas implements PixelSink {
 
     private static float cut(double c) {
         return c > 0 ? c < 1 ? (float) c : 1 : 0;
-    }
-
-    /** One component of a pixel: 0 is red, 1 green, 2 blue. */
-    public double value(int x, int y, int component) {
-        return values[COMPONENTS * (y * width + x) + component];
     }
 
     /** The root of the mean square of the difference from a picture of the same size. */

@@ -16,23 +16,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
  * A picture that is there already, of any kind that the library reads. Its size is known before its pixels are read;
  * these are its samples as they stand, in 8 bits: the library's own conversion of grey would make it brighter.
  */
-public final class PictureFile implements Closeable {
-
-    private static final byte[] PNG_SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-
-    private final ImageInputStream stream;
-    private final ImageReader reader;
-
-    private PictureFile(ImageInputStream stream, ImageReader reader) {
-        this.stream = stream;
-        this.reader = reader;
-    }
-
-    /** Whether a file that begins with these bytes is a PNG. */
-    public static boolean isPng(byte[] beginning) {
-        return beginning.length >= PNG_SIGNATURE.length
-                && java.util.Arrays.equals(beginning, 0, PNG_SIGNATURE.length, PNG_SIGNATURE, 0, PNG_SIGNATURE.length);
-    }
+public record PictureFile(ImageInputStream stream, ImageReader reader) implements Closeable {
 
     /**
      * Opens a picture.

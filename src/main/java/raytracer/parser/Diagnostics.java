@@ -103,7 +103,9 @@ final class Diagnostics {
                 errors.set(i, completed(errors.get(i), unknownAt.get(i)));
             }
         }
-        return new SceneException(errors, errorCount - errors.size(), isHopeless());
+        long unlisted = errorCount - errors.size();
+        return new SceneException(errors, unlisted == 0 ? "" : unlisted + (unlisted == 1 ? " more error" : " more errors")
+                + (isHopeless() ? "; the rest was not read" : ""));
     }
 
     /**

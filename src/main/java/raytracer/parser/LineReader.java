@@ -31,10 +31,13 @@ final class LineReader {
     /** Goes to the next line; false if there is none, or if it is too long to be read. */
     boolean advance() throws IOException {
         start = next;
-        int from = start;
+        int at = start;
         while (true) {
-            int at = indexOfLineEnd(from);
-            if (at >= 0) {
+            byte[] bytes = buffer;
+            while (at < filled && bytes[at] != '\n' && bytes[at] != '\r') {
+                at++;
+            }
+            if (at < filled) {
                 return settle(at - start);
             }
             int length = filled - start;
@@ -48,7 +51,7 @@ final class LineReader {
                 end = filled;
                 return length > 0 && settle(length);
             }
-            from = start + length;
+            at = start + length;
         }
     }
 
@@ -67,17 +70,6 @@ final class LineReader {
             start += BYTE_ORDER_MARK.length;
         }
         return true;
-    }
-
-    /** Negative if there is none yet. */
-    private int indexOfLineEnd(int from) {
-        byte[] bytes = buffer;
-        for (int i = from; i < filled; i++) {
-            if (bytes[i] == '\n' || bytes[i] == '\r') {
-                return i;
-            }
-        }
-        return -1;
     }
 
     /** Reads more behind what is there; false at the end of the stream. Always leaves room for a line feed. */

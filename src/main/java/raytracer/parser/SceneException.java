@@ -8,14 +8,12 @@ public final class SceneException extends Exception {
     private static final long serialVersionUID = 1;
 
     private final transient List<Diagnostic> errors;
-    private final long unlisted;
-    private final boolean cutShort;
+    private final String rest;
 
-    SceneException(List<Diagnostic> errors, long unlisted, boolean cutShort) {
+    SceneException(List<Diagnostic> errors, String rest) {
         super(errors.get(0).toString());
         this.errors = List.copyOf(errors);
-        this.unlisted = unlisted;
-        this.cutShort = cutShort;
+        this.rest = rest;
     }
 
     /** The first errors, in the order of the file; at least one. */
@@ -23,13 +21,8 @@ public final class SceneException extends Exception {
         return errors;
     }
 
-    /** How many errors the file has beyond those listed. */
-    public long unlisted() {
-        return unlisted;
-    }
-
-    /** Whether there were so many that the rest of the file was not read. */
-    public boolean isCutShort() {
-        return cutShort;
+    /** What there is beyond those, in words; empty if nothing. */
+    public String rest() {
+        return rest;
     }
 }

@@ -131,17 +131,21 @@ public final class SceneParser {
     // No table of lambdas: the first few that a program makes take longer than reading a small scene.
     private void apply(Command command, Operands o) throws Operands.Rejected {
         switch (command) {
-            case SIZE -> size(o);
+            case SIZE -> {
+                once(command, o);
+                width = o.whole(0, 1, MAX);
+                height = o.whole(1, 1, MAX);
+            }
             case CAMERA -> camera(o);
             case OUTPUT -> output(o);
-            case MAXDEPTH -> maxDepth(o);
+            case MAXDEPTH -> maxDepth = once(command, o).whole(0, 1, MAX);
             case AMBIENT -> shapes.ambient(coloured(o.colour(0)));
             case DIFFUSE -> shapes.diffuse(coloured(o.colour(0)));
             case SPECULAR -> shapes.specular(o.colour(0));
             case SHININESS -> shapes.shininess(o.number(0));
             case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
             case POINT -> lights.add(new Light.Point(o.point(0), o.colour(3)));
-            case MAXVERTS -> maxVertices(o);
+            case MAXVERTS -> maxVertices = once(command, o).whole(0, 0, MAX);
             case VERTEX -> vertex(o);
             case TRI -> triangle(o);
             case SPHERE -> shapes.add(new Shape.Sphere(o.point(0), o.radius(3), materialHere()));
@@ -177,18 +181,13 @@ public final class SceneParser {
         }
     }
 
-    private void once(Command command, Operands o) throws Operands.Rejected {
+    private Operands once(Command command, Operands o) throws Operands.Rejected {
         Long first = lineOf.putIfAbsent(command, reader.number());
         if (first != null) {
             throw o.rejectCommand("expected '" + command.keyword() + "' once, found it again (first on line " + first
                     + ")");
         }
-    }
-
-    private void size(Operands o) throws Operands.Rejected {
-        once(Command.SIZE, o);
-        width = o.whole(0, 1, MAX);
-        height = o.whole(1, 1, MAX);
+        return o;
     }
 
     private void camera(Operands o) throws Operands.Rejected {
@@ -213,16 +212,6 @@ public final class SceneParser {
         once(Command.OUTPUT, o);
         output = name;
         outputPlace = ":" + reader.number() + ":" + o.column(0);
-    }
-
-    private void maxDepth(Operands o) throws Operands.Rejected {
-        once(Command.MAXDEPTH, o);
-        maxDepth = o.whole(0, 1, MAX);
-    }
-
-    private void maxVertices(Operands o) throws Operands.Rejected {
-        once(Command.MAXVERTS, o);
-        maxVertices = o.whole(0, 0, MAX);
     }
 
     private void vertex(Operands o) throws Operands.Rejected {

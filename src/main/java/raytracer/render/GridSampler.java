@@ -55,9 +55,9 @@ final class GridSampler implements Sampler {
             int pixels = row / n * columns;
             for (int column = 0; column < w; column++) {
                 int pixel = pixels + (x + column) / n;
-                red[pixel] += cut(samples.red[first + column]);
-                green[pixel] += cut(samples.green[first + column]);
-                blue[pixel] += cut(samples.blue[first + column]);
+                red[pixel] += PixelMeans.cut(samples.red[first + column]);
+                green[pixel] += PixelMeans.cut(samples.green[first + column]);
+                blue[pixel] += PixelMeans.cut(samples.blue[first + column]);
             }
         }
     }
@@ -66,10 +66,5 @@ final class GridSampler implements Sampler {
         for (int i = 0; i < sums.length; i++) {
             sums[i] /= n * n;
         }
-    }
-
-    /** To [0, 1]; what is no number stays none. */
-    private static double cut(double c) {
-        return c < 0 ? 0 : c > 1 ? 1 : c;
     }
 }

@@ -1,18 +1,9 @@
 package raytracer.render;
 
 import raytracer.tracer.PixelSink;
-import raytracer.tracer.TileTracer;
 
 /** Every pixel is the mean of the same number of samples, a lattice ({@link SampleQueue}). */
-final class LatticeSampler implements Sampler {
-
-    private final Sampling.Lattice lattice;
-    private final SampleQueue queue;
-
-    LatticeSampler(TileTracer tracer, Sampling.Lattice lattice) {
-        this.lattice = lattice;
-        queue = new SampleQueue(tracer);
-    }
+record LatticeSampler(SampleQueue queue, Sampling.Lattice lattice) implements Sampler {
 
     @Override
     public void render(Region tile, PixelSink sink) {

@@ -1,13 +1,10 @@
 package raytracer.render;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
-import raytracer.tracer.rays.Samples;
 
 /**
  * Pixels in every tile of a picture that tell how many samples it takes: by how much samples differ there, and by how
@@ -16,9 +13,9 @@ import raytracer.tracer.rays.Samples;
  */
 final class Pilots {
 
-    /** Of a whole tile. The first round takes as long as so many samples of each pixel. */
-    private static final int PER_TILE = 16;
-    private static final double FIRST_ROUND = 0.9;
+    /** Of a whole tile, but for small pictures, in which so few would tell little. */
+    private static final int PER_TILE = 18;
+    private static final int MIN_COUNT = 2000;
 
     /** Samples of a pilot in the first round, before it gets four times as many. */
     private static final int FEW = 4;
@@ -30,27 +27,25 @@ final class Pilots {
     /** Of a huge picture, only so many tiles have pilots. */
     private static final int MAX_TILES = 4096;
 
-    /** Of so many tiles that have pilots, one tells which part of the picture is settled. */
-    private static final int TILES_PER_PROOF = 8;
-
+    private static final int TILE_PIXELS = Tracer.TILE_SIDE * Tracer.TILE_SIDE;
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
 
     private final Tracer tracer;
     private final double error;
     private final Tiles tiles;
     private final int stride;
+    private final int perTile;
     private final SampleBudget.Pilot[][] byTile;
     private final AtomicInteger next = new AtomicInteger();
-    private final AtomicInteger nextProof = new AtomicInteger();
-    private final AtomicLong provedPixels = new AtomicLong();
-    private final AtomicLong unsettledPixels = new AtomicLong();
     private int round = -1;
 
+    /** @param error that is aimed at */
     Pilots(Tracer tracer, double error) {
         this.tracer = tracer;
         this.error = error;
-        tiles = new Tiles(Region.whole(tracer.width(), tracer.height()), AdaptiveSampler.TILE_SIDE);
+        tiles = new Tiles(Region.whole(tracer.width(), tracer.height()));
         stride = (int) ((tiles.count() + MAX_TILES - 1) / MAX_TILES);
+        perTile = (int) Math.max(PER_TILE, MIN_COUNT / tiles.count());
         byTile = new SampleBudget.Pilot[(int) ((tiles.count() + stride - 1) / stride)][];
     }
 
@@ -60,9 +55,10 @@ final class Pilots {
         next.set(0);
     }
 
-    /** Whether the budget takes so long that it is worth while to know more. */
-    boolean areCoarse(SampleBudget budget) {
-        return round + 1 < MAX_ROUNDS && FIRST_ROUND * Math.pow(4, round + 1) / stride < MAX_PART * budget.cost();
+    /** Whether so many samples of every pixel take so long that it is worth while to know more. */
+    boolean areCoarse(int samples) {
+        double next = 20.0 * few() * perTile / TILE_PIXELS / stride;
+        return round + 1 < MAX_ROUNDS && next < MAX_PART * samples;
     }
 
     private int few() {
@@ -74,28 +70,22 @@ final class Pilots {
         TileTracer mine = tracer.newTileTracer();
         SampleQueue queue = new SampleQueue(mine);
         for (int i; (i = next.getAndIncrement()) < byTile.length; ) {
-            byTile[i] = sample(i, queue);
+            byTile[i] = sample((long) i * stride, queue);
         }
         return mine.counts();
     }
 
-    /** The tile that pilots i are in. */
-    private Region tile(int i) {
-        return tiles.get((long) i * stride);
-    }
-
-    private SampleBudget.Pilot[] sample(int ofTile, SampleQueue queue) {
-        int count = Math.max(1, PER_TILE * tile(ofTile).pixels() / AdaptiveSampler.TILE_PIXELS);
-        PixelMeans coarse = means(ofTile, count, few(), queue), fine = means(ofTile, count, 4 * few(), queue);
+    private SampleBudget.Pilot[] sample(long tile, SampleQueue queue) {
+        int count = Math.max(1, perTile * tiles.get(tile).pixels() / TILE_PIXELS);
+        PixelMeans coarse = means(tile, count, few(), queue), fine = means(tile, count, 4 * few(), queue);
         SampleBudget.Pilot[] pilots = new SampleBudget.Pilot[count];
         Arrays.setAll(pilots, i -> new SampleBudget.Pilot(
                 coarse.variance(i), fine.variance(i), fine.squaredDifference(coarse, i)));
         return pilots;
     }
 
-    private PixelMeans means(int ofTile, int count, int samples, SampleQueue queue) {
-        Region tile = tile(ofTile);
-        long number = (long) ofTile * stride;
+    private PixelMeans means(long number, int count, int samples, SampleQueue queue) {
+        Region tile = tiles.get(number);
         PixelMeans means = new PixelMeans(count);
         queue.start(means);
         for (int i = 0; i < count; i++) {
@@ -108,24 +98,8 @@ final class Pilots {
         return means;
     }
 
-    /** Proves pixels settled, of tiles that no other thread has taken. */
-    RayCounts prove() {
-        TileTracer mine = tracer.newTileTracer();
-        Samples corners = new Samples();
-        for (int i; (i = nextProof.getAndAdd(TILES_PER_PROOF)) < byTile.length; ) {
-            Region tile = tile(i);
-            for (boolean isSettled : mine.traceCorners(
-                    tile.x(), tile.y(), tile.width(), tile.height(), error, corners)) {
-                provedPixels.incrementAndGet();
-                unsettledPixels.addAndGet(isSettled ? 0 : 1);
-            }
-        }
-        return mine.counts();
-    }
-
-    /** What the picture takes, as far as that is known. */
-    SampleBudget budget() {
-        List<SampleBudget.Pilot> all = Arrays.stream(byTile).flatMap(Arrays::stream).toList();
-        return SampleBudget.plan(all, few(), (double) unsettledPixels.get() / Math.max(1, provedPixels.get()), error);
+    /** How many samples every pixel gets, as far as that is known. */
+    int samples() {
+        return SampleBudget.plan(Arrays.stream(byTile).flatMap(Arrays::stream).toList(), few(), error);
     }
 }

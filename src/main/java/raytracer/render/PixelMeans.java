@@ -31,7 +31,7 @@ final class PixelMeans {
     }
 
     /** To [0, 1]; what is no number stays none. */
-    private static double cut(double c) {
+    static double cut(double c) {
         return c < 0 ? 0 : c > 1 ? 1 : c;
     }
 

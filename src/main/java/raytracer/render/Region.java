@@ -25,12 +25,4 @@ public record Region(int x, int y, int width, int height) {
     int row(int i) {
         return y + i / width;
     }
-
-    /** The smallest rectangle of whole tiles of a picture that holds this; tiles at its right and bottom may be cut. */
-    Region aligned(int side, int pictureWidth, int pictureHeight) {
-        int left = x / side * side, top = y / side * side;
-        int right = Math.min(pictureWidth, (x + width + side - 1) / side * side);
-        int bottom = Math.min(pictureHeight, (y + height + side - 1) / side * side);
-        return new Region(left, top, right - left, bottom - top);
-    }
 }

@@ -1,6 +1,5 @@
 package raytracer.render;
 
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -40,47 +39,35 @@ public final class Renderer {
         this.threads = threads;
         this.sink = sink;
         this.region = region;
-        tiles = sampling instanceof Sampling.Adaptive
-                ? new Tiles(region.aligned(AdaptiveSampler.TILE_SIDE, tracer.width(), tracer.height()),
-                        AdaptiveSampler.TILE_SIDE)
-                : new Tiles(region, Tracer.TILE_SIDE);
+        tiles = new Tiles(region);
     }
 
     /** Renders all of the region; returns when it is done. */
     public RayCounts render() {
         ExecutorService pool = Executors.newFixedThreadPool(threads, Renderer::daemon);
         try {
-            if (sampling instanceof Sampling.Adaptive adaptive) {
-                return renderAdaptively(adaptive.error(), pool);
+            if (sampling instanceof Sampling.Grid grid) {
+                Tracer enlarged = tracer.enlarged(grid.n());
+                return onAllThreads(pool, () -> work(enlarged, mine -> new GridSampler(mine, grid.n())));
             }
-            Tracer enlarged = sampling instanceof Sampling.Grid grid ? tracer.enlarged(grid.n()) : tracer;
-            return onAllThreads(pool, () -> work(enlarged, this::newSampler));
+            if (sampling instanceof Sampling.Lattice lattice) {
+                return onAllThreads(pool, () -> work(tracer, mine -> new LatticeSampler(new SampleQueue(mine), lattice)));
+            }
+            return renderWithin(((Sampling.Within) sampling).error(), pool);
         } finally {
             pool.shutdownNow();
         }
     }
 
-    private Sampler newSampler(TileTracer mine) {
-        return sampling instanceof Sampling.Grid grid ? new GridSampler(mine, grid.n())
-                : new LatticeSampler(mine, (Sampling.Lattice) sampling);
-    }
-
-    private RayCounts renderAdaptively(double error, ExecutorService pool) {
+    private RayCounts renderWithin(double error, ExecutorService pool) {
         Pilots pilots = new Pilots(tracer, error);
         RayCounts before = RayCounts.ZERO;
-        SampleBudget guess;
         do {
             pilots.startRound();
             before = before.plus(onAllThreads(pool, pilots::sample));
-            guess = pilots.budget();
-        } while (pilots.areCoarse(guess));
-        if (guess.all() == 0) {
-            before = before.plus(onAllThreads(pool, pilots::prove));
-        }
-        SampleBudget budget = guess.all() > 0 ? guess : pilots.budget();
-        return before.plus(onAllThreads(pool, () -> work(tracer, mine -> budget.all() > 0
-                ? new LatticeSampler(mine, new Sampling.Lattice(budget.all(), 0))
-                : new AdaptiveSampler(mine, error, budget.chosen()))));
+        } while (pilots.areCoarse(pilots.samples()));
+        Sampling.Lattice lattice = new Sampling.Lattice(pilots.samples(), 0);
+        return before.plus(onAllThreads(pool, () -> work(tracer, mine -> new LatticeSampler(new SampleQueue(mine), lattice))));
     }
 
     private RayCounts onAllThreads(ExecutorService pool, Callable<RayCounts> work) {
@@ -116,25 +103,12 @@ public final class Renderer {
         return (double) done.get() / tiles.count();
     }
 
-    /** Counts pixels from a region's corner, and drops those outside. */
-    private record InRegion(Region region, PixelSink sink) implements PixelSink {
-        @Override
-        public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
-            int left = Math.max(x, region.x()), right = Math.min(x + columns, region.x() + region.width());
-            for (int row = Math.max(y, region.y()); row < Math.min(y + rows, region.y() + region.height()); row++) {
-                int from = (row - y) * columns + left - x, to = (row - y) * columns + right - x;
-                sink.setPixels(left - region.x(), row - region.y(), right - left, 1,
-                        Arrays.copyOfRange(red, from, to), Arrays.copyOfRange(green, from, to),
-                        Arrays.copyOfRange(blue, from, to));
-            }
-        }
-    }
-
     private RayCounts work(Tracer of, Function<TileTracer, Sampler> newSampler) {
         TileTracer mine = of.newTileTracer();
         Sampler sampler = newSampler.apply(mine);
-        PixelSink inRegion = new InRegion(region, sink);
-        for (long tile; (tile = tiles.next()) < tiles.count(); ) {
+        PixelSink inRegion = (x, y, columns, rows, red, green, blue) ->
+                sink.setPixels(x - region.x(), y - region.y(), columns, rows, red, green, blue);
+        for (long tile; (tile = tiles.take()) < tiles.count(); ) {
             sampler.render(tiles.get(tile), inRegion);
             done.incrementAndGet();
         }

@@ -21,11 +21,11 @@ public sealed interface Sampling {
     record Lattice(int count, int seed) implements Sampling { }
 
     /**
-     * As many as it takes.
+     * Every pixel: a lattice of as many samples as it takes.
      *
      * @param error the aim: the root of the mean square of the errors of all pixels' components, of a range of [0, 1]
      */
-    record Adaptive(double error) implements Sampling {
+    record Within(double error) implements Sampling {
 
         /** The least error that can be aimed at. */
         public static final double MIN = 1e-4;

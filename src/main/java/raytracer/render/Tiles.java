@@ -1,40 +1,32 @@
 package raytracer.render;
 
 import java.util.concurrent.atomic.AtomicLong;
+import raytracer.tracer.Tracer;
 
 /** The squares into which a region is cut, row by row from its top left corner; threads take one after the other. */
-final class Tiles {
+record Tiles(Region region, AtomicLong next) {
 
-    private final Region region;
-    private final int side;
-    private final long across;
-    private final long count;
-    private final AtomicLong next = new AtomicLong();
-
-    /** @param side of a tile, in pixels */
-    Tiles(Region region, int side) {
-        this.region = region;
-        this.side = side;
-        across = along(region.width());
-        count = across * along(region.height());
+    Tiles(Region region) {
+        this(region, new AtomicLong());
     }
 
-    private long along(int pixels) {
-        return (pixels + side - 1L) / side;
+    private static long along(int pixels) {
+        return (pixels + Tracer.TILE_SIDE - 1L) / Tracer.TILE_SIDE;
     }
 
     long count() {
-        return count;
+        return along(region.width()) * along(region.height());
     }
 
     /** The next tile that nobody has; {@code count} or more if there is none. */
-    long next() {
+    long take() {
         return next.getAndIncrement();
     }
 
     Region get(long tile) {
-        int left = region.x() + (int) (tile % across) * side, top = region.y() + (int) (tile / across) * side;
-        return new Region(left, top, Math.min(side, region.x() + region.width() - left),
-                Math.min(side, region.y() + region.height() - top));
+        long across = along(region.width());
+        int left = Tracer.TILE_SIDE * (int) (tile % across), top = Tracer.TILE_SIDE * (int) (tile / across);
+        return new Region(region.x() + left, region.y() + top, Math.min(Tracer.TILE_SIDE, region.width() - left),
+                Math.min(Tracer.TILE_SIDE, region.height() - top));
     }
 }

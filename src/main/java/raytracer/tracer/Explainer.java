@@ -6,36 +6,28 @@ import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
-import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.Candidates;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.search.SearchWorkspace;
-import raytracer.tracer.surface.SurfaceTable;
+import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.surface.Surfaces;
 
-/** Says how a pixel gets its colour: takes note of each step while its ray is traced, in a batch of its own. */
-public final class Explainer implements BatchObserver {
+/** Says how a pixel gets its colour: traces its ray in a batch of its own, and takes note of each step. */
+public final class Explainer {
 
+    private final Tracer scene;
     private final TileTracer tracer;
-    private final List<Surfaces> surfaces;
-    private final SurfaceTable table;
     private final Rays rays;
-    private final SearchWorkspace space;
+    private final Workspace workspace;
     private final Rays towardsLight = new Rays();
 
-    private List<Step> steps;
-    private Step step;
-    private boolean isFacing;
-
     Explainer(Tracer scene) {
+        this.scene = scene;
         tracer = new TileTracer(scene);
-        surfaces = scene.surfaces();
-        table = scene.table();
         rays = tracer.rays;
-        space = tracer.space;
+        workspace = tracer.workspace;
     }
 
     /** @param colour of the pixel, not cut to a range */
@@ -69,19 +61,23 @@ public final class Explainer implements BatchObserver {
 
     /** Follows the ray through a pixel's centre; pixels count from the left and the top. */
     public Explanation explain(int x, int y) {
-        steps = new ArrayList<>();
+        List<Step> steps = new ArrayList<>();
         Samples samples = new Samples();
         samples.setCentres(x, y, 1, 1);
-        tracer.trace(samples, this);
+        tracer.start(samples, 0, 1);
+        while (rays.count > 0) {
+            tracer.findClosestHits();
+            Vector origin = rays.origin.get(0), direction = rays.direction.get(0);
+            Colour weight = new Colour(rays.red[0], rays.green[0], rays.blue[0]);
+            List<Integer> asNear = rays.hit[0] == Rays.NONE ? List.of() : asNear(rays.hit[0]);
+            tracer.moveToHits();
+            Hit hit = rays.count == 0 ? null : hit();
+            steps.add(new Step(origin, direction, weight, asNear, hit, hit == null ? List.of() : lights(hit.material())));
+            tracer.shade();
+            tracer.addToSamples();
+            tracer.reflect();
+        }
         return new Explanation(steps, new Colour(samples.red[0], samples.green[0], samples.blue[0]));
-    }
-
-    @Override
-    public void found() {
-        Colour weight = new Colour(rays.red[0], rays.green[0], rays.blue[0]);
-        List<Integer> asNear = rays.hit[0] == Rays.NONE ? List.of() : asNear(rays.hit[0]);
-        step = new Step(rays.origin.get(0), rays.direction.get(0), weight, asNear, null, List.of());
-        steps.add(step);
     }
 
     /** Other surfaces whose distance rounding cannot tell from that of the one that is seen. */
@@ -91,51 +87,47 @@ public final class Explainer implements BatchObserver {
         collect(rays, (surface, t, error) -> farthest[0] += surface == seen ? Rounding.tie(error, t) : 0);
         collect(rays, (surface, t, error) -> {
             if (surface != seen && t - Rounding.tie(error, t) <= farthest[0]) {
-                numbers.add(table.declared()[surface]);
+                numbers.add(scene.table().declared()[surface]);
             }
         });
         return numbers;
     }
 
     private void collect(Rays from, Candidates candidates) {
-        for (Surfaces kind : surfaces) {
-            kind.collect(from, 0, candidates, space.surfaces());
+        for (Surfaces kind : scene.surfaces()) {
+            kind.collect(from, 0, candidates, workspace);
         }
     }
 
-    @Override
-    public void moved() {
-        if (rays.count > 0) {
-            int surface = rays.hit[0];
-            Hit hit = new Hit(table.declared()[surface], rays.distance[0], rays.origin.get(0), rays.normal.get(0),
-                    table.materials()[table.materialIndex()[surface]]);
-            step = new Step(step.origin, step.direction, step.weight, step.asNear, hit, new ArrayList<>());
-            steps.set(steps.size() - 1, step);
+    private Hit hit() {
+        int surface = rays.hit[0];
+        return new Hit(scene.table().declared()[surface], rays.distance[0], rays.origin.get(0), rays.normal.get(0),
+                scene.table().materials()[scene.table().materialIndex()[surface]]);
+    }
+
+    private List<Lit> lights(Material material) {
+        return material.diffuse().isBlack() && material.specular().isBlack() ? List.of()
+                : scene.lights().stream().map(light -> lit(light, material)).toList();
+    }
+
+    private Lit lit(LightSource light, Material material) {
+        Shading shading = shade(light, material);
+        ShadowRays shadows = shading.shadows;
+        if (shading.shadowCount() == 0) {
+            return new Lit(Colour.BLACK, Colour.BLACK, false, false, -1, 0, shadows.distance[0]);
         }
-    }
-
-    @Override
-    public void aimed(int from, int to, ShadowRays shadows) {
-        isFacing = shadows.unoccluded[0];
-    }
-
-    @Override
-    public void lit(int from, int to, ShadowRays shadows, Material material) {
-        if (isFacing && !shadows.unoccluded[0]) {
-            step.lights.add(blocked(shadows));
-            return;
+        if (!shadows.unoccluded[0]) {
+            return blocked(shadows);
         }
-        Colour diffuse = part(shadows.light, new Material(Colour.BLACK, material.diffuse(), Colour.BLACK, 1));
-        Colour highlight = part(shadows.light,
-                new Material(Colour.BLACK, Colour.BLACK, material.specular(), material.shininess()));
-        step.lights.add(new Lit(diffuse, highlight, isFacing, false, -1, 0, shadows.distance[0]));
+        Shading diffuse = shade(light, new Material(Colour.BLACK, material.diffuse(), Colour.BLACK, 1));
+        Shading highlight = shade(light, new Material(Colour.BLACK, Colour.BLACK, material.specular(), material.shininess()));
+        return new Lit(diffuse.colour(0), highlight.colour(0), true, false, -1, 0, shadows.distance[0]);
     }
 
-    /** What a light adds to a material. */
-    private Colour part(LightSource light, Material material) {
-        Shading shading = new Shading(surfaces, List.of(light), rays, space);
-        shading.shade(0, 1, material, null);
-        return new Colour(shading.red[0], shading.green[0], shading.blue[0]);
+    private Shading shade(LightSource light, Material material) {
+        Shading shading = new Shading(scene.surfaces(), List.of(light), rays, workspace);
+        shading.shade(0, 1, material);
+        return shading;
     }
 
     private Lit blocked(ShadowRays shadows) {
@@ -149,7 +141,7 @@ public final class Explainer implements BatchObserver {
         double[] blockedAt = {shadows.distance[0]};
         collect(towardsLight, (surface, t, error) -> {
             if (t < blockedAt[0]) {
-                blocker[0] = table.declared()[surface];
+                blocker[0] = scene.table().declared()[surface];
                 blockedAt[0] = t;
             }
         });

@@ -11,9 +11,7 @@ import raytracer.tracer.rays.Samples;
 /** The rays of a scene's camera. */
 final class Pinhole {
 
-    private final Camera camera;
-    private final int width;
-    private final int height;
+    private final Scene scene;
     private final Vector eye;
 
     // In units of half a pixel, at the distance where the picture has as many of them as pixels. Unlike a pixel's
@@ -23,13 +21,8 @@ final class Pinhole {
     private final Vector backward;
 
     Pinhole(Scene scene) {
-        this(scene.camera(), scene.width(), scene.height());
-    }
-
-    private Pinhole(Camera camera, int width, int height) {
-        this.camera = camera;
-        this.width = width;
-        this.height = height;
+        this.scene = scene;
+        Camera camera = scene.camera();
         eye = camera.eye();
         Vector toEye = camera.backward();
         // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose
@@ -37,25 +30,25 @@ final class Pinhole {
         double halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
         right = camera.right().times(halfHeight);
         up = toEye.cross(camera.right()).times(halfHeight);
-        backward = toEye.times(height);
+        backward = toEye.times(scene.height());
     }
 
     /** The same view in a picture so many times as wide and as high. */
     Pinhole enlarged(int factor) {
-        return new Pinhole(camera, Math.multiplyExact(factor, width), Math.multiplyExact(factor, height));
+        return new Pinhole(scene.withSize(Math.multiplyExact(factor, width()), Math.multiplyExact(factor, height())));
     }
 
     int width() {
-        return width;
+        return scene.width();
     }
 
     int height() {
-        return height;
+        return scene.height();
     }
 
     /** Makes rays leave the eye through their samples' points. */
     void aim(Rays rays, Samples samples) {
-        int to = rays.count;
+        int to = rays.count, width = width(), height = height();
         double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
         double bx = backward.x(), by = backward.y(), bz = backward.z();
         for (int i = 0; i < to; i++) {

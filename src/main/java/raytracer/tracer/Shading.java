@@ -5,13 +5,12 @@ import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.arithmetic.Batch;
-import raytracer.tracer.rays.BatchObserver;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.Search;
-import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.surface.Surfaces;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
@@ -22,12 +21,8 @@ final class Shading {
 
     private final List<LightSource> lights;
     private final Rays rays;
-    private final ShadowRays shadows;
+    final ShadowRays shadows;
     private long shadowCount;
-
-    // What is shaded, and from which light.
-    private Material material;
-    private LightSource light;
 
     private final Search[] anyHit;
 
@@ -37,11 +32,16 @@ final class Shading {
     final double[] blue = new double[Batch.CAPACITY];
 
     /** @param rays what is shaded, when it has arrived */
-    Shading(List<Surfaces> surfaces, List<LightSource> lights, Rays rays, SearchWorkspace space) {
+    Shading(List<Surfaces> surfaces, List<LightSource> lights, Rays rays, Workspace workspace) {
         this.lights = lights;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        anyHit = surfaces.stream().map(kind -> AnyHit.among(kind, rays, shadows, space)).toArray(Search[]::new);
+        anyHit = surfaces.stream().map(kind -> AnyHit.among(kind, rays, shadows, workspace)).toArray(Search[]::new);
+    }
+
+    /** What came out of a ray's shading. */
+    Colour colour(int ray) {
+        return new Colour(red[ray], green[ray], blue[ray]);
     }
 
     /** How many shadow rays were traced since this was made. */
@@ -49,13 +49,8 @@ final class Shading {
         return shadowCount;
     }
 
-    /**
-     * Shades rays from one index to another, which have arrived at surfaces of this material.
-     *
-     * @param observer null if nobody looks on
-     */
-    void shade(int from, int to, Material ofAll, BatchObserver observer) {
-        material = ofAll;
+    /** Shades rays from one index to another, which have arrived at surfaces of this material. */
+    void shade(int from, int to, Material material) {
         Arrays.fill(red, from, to, material.ambient().red());
         Arrays.fill(green, from, to, material.ambient().green());
         Arrays.fill(blue, from, to, material.ambient().blue());
@@ -63,22 +58,15 @@ final class Shading {
             return;
         }
         shadows.start(from, to);
-        for (LightSource each : lights) {
-            light = each;
+        for (LightSource light : lights) {
             shadows.aim(light, from, to);
-            int unoccluded = findReflectance(from, to);
-            if (observer != null) {
-                observer.aimed(from, to, shadows);
-            }
+            int unoccluded = findReflectance(material, from, to);
             if (unoccluded > 0) {
                 shadowCount += unoccluded;
                 for (Search kind : anyHit) {
                     kind.run(from, to);
                 }
-                addLight(from, to);
-            }
-            if (observer != null) {
-                observer.lit(from, to, shadows, material);
+                addLight(material, light.colour(), from, to);
             }
         }
     }
@@ -87,7 +75,7 @@ final class Shading {
      * Computes the cosines that decide how much light the surface returns, and marks the shadow rays on which it would
      * return any; returns how many.
      */
-    private int findReflectance(int from, int to) {
+    private int findReflectance(Material material, int from, int to) {
         boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
         boolean alwaysSpecular = specular && material.shininess() <= 0;
         int count = 0;
@@ -112,8 +100,8 @@ final class Shading {
     }
 
     /** Adds what the surface returns of the light, to the rays whose shadow rays are unoccluded. */
-    private void addLight(int from, int to) {
-        Colour diffuse = material.diffuse(), specular = material.specular(), ofLight = light.colour();
+    private void addLight(Material material, Colour ofLight, int from, int to) {
+        Colour diffuse = material.diffuse(), specular = material.specular();
         boolean isShiny = !specular.isBlack();
         for (int i = from; i < to; i++) {
             if (shadows.unoccluded[i]) {

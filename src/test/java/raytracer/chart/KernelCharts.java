@@ -1,5 +1,6 @@
 package raytracer.chart;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -50,7 +51,7 @@ final class KernelCharts {
         addSpheres("edge-aimed: past the rim by 10^-12 to 10^-3 radii",
                 random -> ball(random, 1, 3 + 27 * random.nextDouble(), 1, 1e-3));
         finish(figure);
-        figure.write(file);
+        Files.writeString(file, figure.svg());
     }
 
     /** A sphere, a ray, and in the fourth place the radius. */
@@ -122,7 +123,7 @@ final class KernelCharts {
         addTriangles("small: legs about 10^-6, seen from 10^-5", 1e-6, 10, false);
         addTriangles("edge-aimed: at an edge that two triangles share", 1, 10, true);
         finish(figure);
-        figure.write(file);
+        Files.writeString(file, figure.svg());
     }
 
     private void addTriangles(String name, double size, double distance, boolean edge) throws Exception {

@@ -1,5 +1,6 @@
 package raytracer.chart;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -55,7 +56,7 @@ final class LeavingChart {
         figure.explain(3, "bound");
         figure.explain(4, "ours");
         figure.explainFront("no method here is better both ways");
-        figure.write(file);
+        Files.writeString(file, figure.svg());
     }
 
     private void add(Panel panel, String name, int series, double[] rates) {

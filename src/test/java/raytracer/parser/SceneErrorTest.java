@@ -186,7 +186,7 @@ class SceneErrorTest {
     void reportsAllErrorsAtOnceAndCountsThoseBeyondTwenty() {
         SceneException e = assertThrows(SceneException.class, () -> Scenes.parse(HEAD + "sphere 0 0 0 0\n".repeat(25)));
         assertEquals(20, e.errors().size());
-        assertEquals(5, e.unlisted());
+        assertEquals("5 more errors", e.rest());
         assertEquals(List.of(3L, 22L), List.of(e.errors().get(0).line(), e.errors().get(19).line()));
     }
 

@@ -61,7 +61,7 @@ class SameBytesTest {
     @EnumSource
     void regions(NearTies family) throws Exception {
         Tracer tracer = Tracer.compile(scene(family));
-        for (Sampling sampling : new Sampling[] {Sampling.CENTRES, new Sampling.Adaptive(1 / 64.0)}) {
+        for (Sampling sampling : new Sampling[] {Sampling.CENTRES, new Sampling.Within(1 / 64.0)}) {
             int[] whole = render(tracer, sampling, 2, Region.whole(WIDTH, HEIGHT));
             Region region = new Region(33, 21, 71, 57);
             int[] part = render(tracer, sampling, 2, region);

@@ -15,8 +15,7 @@ class SampleBudgetTest {
     /** C of the edges' errors, squared, if few samples are off by as much as a grid of them at an edge. */
     private static final double C2 = 0.7 * 0.7;
 
-    private static final double CAUTION2 = 1.05 * 1.05;
-    private static final double CHOICE_CAUTION2 = CAUTION2 * 1.3 * 1.3;
+    private static final double CAUTION2 = 1.1 * 1.1;
 
     /** By how much the means of 4 and of 16 samples differ, squared. */
     private static final double CHANGE = Math.pow(4, -1.5) + Math.pow(16, -1.5);
@@ -37,8 +36,8 @@ class SampleBudgetTest {
         return pilots;
     }
 
-    private static SampleBudget plan(List<SampleBudget.Pilot> pilots, double unsettled, double wanted) {
-        return SampleBudget.plan(pilots, 4, unsettled, wanted);
+    private static int plan(List<SampleBudget.Pilot> pilots, double wanted) {
+        return SampleBudget.plan(pilots, 4, wanted);
     }
 
     private static double samples(double c2, double variance, double square) {
@@ -46,22 +45,21 @@ class SampleBudgetTest {
     }
 
     @Test
-    void isTheSameForAllWhereAllPixelsAreAsUneven() {
+    void fallsWithTheSquareOfTheErrorToThePowerOfTwoThirds() {
         // Error^2 = C^2 v / N^1.5 for all; twice the standard error of 10,000 pilots adds 2 %.
-        SampleBudget budget = plan(pilots(10_000, .1), 1, .01);
-        assertEquals(samples(CAUTION2 * C2, .1, 1e-4 / 1.02), budget.all(), 1);
+        assertEquals(samples(CAUTION2 * C2, .1, 1e-4 / 1.02), plan(pilots(10_000, .1), .01), 1);
     }
 
     @Test
     void isOneSampleForAPictureWithoutEdges() {
-        assertEquals(1, plan(pilots(14_000, 0), 0, .0039).all());
+        assertEquals(1, plan(pilots(14_000, 0), .0039));
     }
 
     @Test
     void isOneSampleOnlyIfItMayBeOffByAllOfTheVariance() {
         // C says that even one sample of .1 is off by .29 at most; but what one shows is off by .32.
-        assertEquals(2, plan(pilots(10_000, .1), 0, .3).all());
-        assertEquals(1, plan(pilots(10_000, .1), 0, .33).all());
+        assertEquals(2, plan(pilots(10_000, .1), .3));
+        assertEquals(1, plan(pilots(10_000, .1), .33));
     }
 
     @Test
@@ -69,46 +67,14 @@ class SampleBudgetTest {
         // Error^2 = v / N, but for the caution, and as means of 4 and 16 differ by 1/4 + 1/16, not by 1/8 + 1/64.
         List<SampleBudget.Pilot> hairs = Collections.nCopies(10_000,
                 new SampleBudget.Pilot(.1, .1, .1 * (1 / 4.0 + 1 / 16.0)));
-        assertEquals(CAUTION2 * .1 / 1e-4 * 1.02 * 1.25 / 1.125, plan(hairs, 1, .01).all(), 2);
+        assertEquals(CAUTION2 * .1 / 1e-4 * 1.02 * 1.25 / 1.125, plan(hairs, .01), 2);
     }
 
     @Test
     void isNotOneSampleForAFewPilotsThatShowNothing() {
         // Of 3 rare samples expected among the 16 of each of 2,000 pilots, none is seen in one of 20 pictures.
-        assertEquals(Math.ceil(3 / 16.0 / 2000 / 1.5e-5), plan(pilots(2000, 0), 0, Math.sqrt(1.5e-5)).all());
-        assertEquals(1, plan(pilots(20_000, 0), 0, Math.sqrt(1.5e-5)).all());
-    }
-
-    @Test
-    void givesAFewUnevenPixelsTheSamplesThatTheErrorAllows() {
-        // One pixel in 50: C^2 v / (50 N^1.5) = error^2; twice the standard error of 2,500 adds 4 %.
-        SampleBudget budget = plan(oneIn(50, 2500, .1), .02, .0015);
-        assertEquals(0, budget.all());
-        assertEquals(samples(CHOICE_CAUTION2 * C2, .1 / 50, 2.25e-6 / 1.04), budget.chosen().samples(.1), 1, budget.toString());
-        assertEquals(budget.chosen().initial(), budget.chosen().samples(0));
-    }
-
-    @Test
-    void isTheSameForAllWhereManyMayBeUnsettledThatShowNoVariance() {
-        assertEquals(0, plan(oneIn(50, 2500, .1), .3, .0015).all());
-        assertTrue(plan(oneIn(50, 2500, .1), 1, .0015).all() > 0);
-    }
-
-    @Test
-    void growsWithTheVarianceToThePowerOfTwoFifths() {
-        List<SampleBudget.Pilot> pilots = new ArrayList<>(oneIn(50, 50, .1));
-        pilots.addAll(pilots(50, .1 / 32));
-        SampleBudget budget = plan(pilots, 0, .0003);
-        assertEquals(budget.chosen().samples(.1), 4 * budget.chosen().samples(.1 / 32), 4, budget.toString());
-    }
-
-    @Test
-    void isMoreWhereFewSamplesOverlookMuch() {
-        List<SampleBudget.Pilot> seen = oneIn(20, 50, .1), overlooked = new ArrayList<>(pilots(50, 0, .1));
-        overlooked.addAll(pilots(950, 0));
-        SampleBudget a = plan(seen, .1, .01), b = plan(overlooked, .1, .01);
-        assertEquals(0, a.chosen().unseen());
-        assertTrue(b.chosen().samples(0) > a.chosen().samples(0), a + " " + b);
+        assertEquals(Math.ceil(3 / 16.0 / 2000 / 1.5e-5), plan(pilots(2000, 0), Math.sqrt(1.5e-5)));
+        assertEquals(1, plan(pilots(20_000, 0), Math.sqrt(1.5e-5)));
     }
 
     @Test
@@ -117,25 +83,24 @@ class SampleBudgetTest {
         List<SampleBudget.Pilot> pilots = new ArrayList<>(
                 Collections.nCopies(200, new SampleBudget.Pilot(0, 15 / 256.0, 1 / 256.0)));
         pilots.addAll(pilots(9800, 0));
-        assertEquals(15 / 256.0 / 50 / (1.7e-4 / 1.14), plan(pilots, 1, Math.sqrt(1.7e-4)).all(), 1);
+        assertEquals(15 / 256.0 / 50 / (1.7e-4 / 1.14), plan(pilots, Math.sqrt(1.7e-4)), 1);
     }
 
     @Test
     void isMoreWhereLittleIsKnown() {
-        SampleBudget many = plan(oneIn(50, 2500, .1), 0, .0015);
-        SampleBudget few = plan(oneIn(50, 4, .1), 0, .0015);
-        assertTrue(few.chosen().samples(.1) > 1.2 * many.chosen().samples(.1), few + " " + many);
+        int many = plan(oneIn(50, 2500, .1), .0015), few = plan(oneIn(50, 4, .1), .0015);
+        assertTrue(few > 1.2 * many, few + " " + many);
     }
 
     @Test
     void isMoreWhereFewSamplesAreOffByMore() {
         List<SampleBudget.Pilot> even = pilots(1000, .1), uneven = Collections.nCopies(1000,
                 new SampleBudget.Pilot(.1, .1, .1 / 4));
-        assertTrue(plan(uneven, 1, .01).all() > 2 * plan(even, 1, .01).all());
+        assertTrue(plan(uneven, .01) > 2 * plan(even, .01));
     }
 
     @Test
     void neverGivesMoreThanTheMost() {
-        assertTrue(plan(pilots(10, 1), 1, 1e-4).chosen().samples(1) <= SampleBudget.MAX);
+        assertEquals(SampleBudget.MAX, plan(pilots(10, 1), 1e-4));
     }
 }

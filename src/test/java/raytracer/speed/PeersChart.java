@@ -62,7 +62,7 @@ class PeersChart {
         figure.explainBars("fastest and slowest");
         figure.explainFront("nothing measured is faster and as accurate");
         csv.forEach(System.out::println);
-        figure.write(SITE.resolve("peers.svg"));
+        Files.writeString(SITE.resolve("peers.svg"), figure.svg());
         Files.write(SITE.resolve("peers.csv"), csv, StandardCharsets.UTF_8);
     }
 

@@ -16,7 +16,7 @@ import raytracer.scene.Scene;
 import raytracer.tracer.Tracer;
 
 /**
- * How often adaptive samples miss their aim on random scenes of thin things: {@code mvn test -Dtest=RandomThinThings
+ * How often {@code --samples auto} misses its aim on random scenes of thin things: {@code mvn test -Dtest=RandomThinThings
  * -Dseeds=6}, three minutes. Errors are against 1500 samples a pixel of another pattern, whose own error counts.
  */
 class RandomThinThings {
@@ -41,7 +41,7 @@ class RandomThinThings {
                 Canvas reference = render(scene, tracer, new Sampling.Lattice(REFERENCE, 1));
                 for (int aim : AIMS) {
                     pictures++;
-                    double error = aim * render(scene, tracer, new Sampling.Adaptive(1.0 / aim)).rmse(reference);
+                    double error = aim * render(scene, tracer, new Sampling.Within(1.0 / aim)).rmse(reference);
                     if (error > 1) {
                         misses.add(String.format(Locale.ROOT, "%s %d 1/%d: %.2f", family, seed, aim, error));
                     }

@@ -68,7 +68,7 @@ class SamplesChart {
             ours.put("--samples " + n, new Sampling.Grid(n));
         }
         for (int n : new int[] {64, 128, 255, 512, 1024}) {
-            ours.put("--samples auto:1/" + n, new Sampling.Adaptive(1.0 / n));
+            ours.put("--samples auto:1/" + n, new Sampling.Within(1.0 / n));
         }
         List<String> pov = List.of("-A", "+A0.3", "+A0.1", "+A0.03", "+AM2 +A0.3 +R2", "+AM2 +A0.1 +R3", "+AM2 +A0.05 +R4");
         Canvas half = render(new Sampling.Lattice(256, 1)), other = render(new Sampling.Lattice(256, 2));
@@ -98,7 +98,7 @@ class SamplesChart {
         List<String> csv = new ArrayList<>(List.of("# " + Origin.text(), "setting,median ms,rmse"));
         Panel panel = new Panel("", "milliseconds of tracing, " + THREADS + " threads", "RMSE of a range of [0, 1]",
                 floor, "our reference's own error: below it nothing is known");
-        panel.line(Sampling.Adaptive.INVISIBLE, "RMSE of 1/255");
+        panel.line(Sampling.Within.INVISIBLE, "RMSE of 1/255");
         for (Map.Entry<String, Measured> e : all.entrySet()) {
             Measured m = e.getValue();
             csv.add(String.format(Locale.ROOT, "%s,%.1f,%.6f", e.getKey(), m.median(), m.error));
@@ -112,11 +112,11 @@ class SamplesChart {
                 + scene.width() + "x" + scene.height(), "Each against what it comes to itself. " + Origin.text(), 1, 900, 500);
         figure.add(panel);
         figure.explain(2, "n x n samples");
-        figure.explain(4, "samples where they are needed");
+        figure.explain(4, "as many as an error takes");
         figure.explain(0, "POV-Ray");
         figure.explainBars("fastest and slowest");
         figure.explainFront("no setting measured is faster and as accurate");
-        figure.write(SITE.resolve("samples.svg"));
+        Files.writeString(SITE.resolve("samples.svg"), figure.svg());
     }
 
     private Canvas render(Sampling sampling) {

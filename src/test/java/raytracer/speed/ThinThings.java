@@ -22,7 +22,7 @@ import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
 
 /**
- * Whether adaptive samples keep their word on scenes of thin things and on our own at half their size: {@code mvn test
+ * Whether {@code --samples auto} keeps its word on scenes of thin things and on our own at half their size: {@code mvn test
  * -Dtest=ThinThings}, three minutes. Errors are against 2048 samples a pixel of another pattern, whose own error counts.
  */
 class ThinThings {
@@ -57,15 +57,15 @@ class ThinThings {
         Canvas reference = render(scene, tracer, new Sampling.Lattice(REFERENCE, 1), new RayCounts[1]);
         for (int aim : AIMS) {
             RayCounts[] counts = new RayCounts[1];
-            Sampling adaptive = new Sampling.Adaptive(1.0 / aim);
-            double error = render(scene, tracer, adaptive, counts).rmse(reference);
+            Sampling auto = new Sampling.Within(1.0 / aim);
+            double error = render(scene, tracer, auto, counts).rmse(reference);
             int grid = 0;
             while (grid < GRIDS.length
                     && render(scene, tracer, new Sampling.Grid(GRIDS[grid]), new RayCounts[1]).rmse(reference) > 1.0 / aim) {
                 grid++;
             }
             csv.add(String.format(Locale.ROOT, "\"%s\",1/%d,%.2f,%.1f,%.0f,%s", name, aim, error * aim,
-                    (double) counts[0].primary() / scene.width() / scene.height(), millis(scene, tracer, adaptive),
+                    (double) counts[0].primary() / scene.width() / scene.height(), millis(scene, tracer, auto),
                     grid == GRIDS.length ? "none," : String.format(Locale.ROOT, "%dx%d,%.0f", GRIDS[grid], GRIDS[grid],
                             millis(scene, tracer, new Sampling.Grid(GRIDS[grid])))));
             assertTrue(error <= 1.0 / aim + SLACK, csv.get(csv.size() - 1));

@@ -27,7 +27,7 @@ import raytracer.tracer.primitive.SphereBounds;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.ClosestHit;
-import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.surface.Surfaces;
 
 /** Laws that hold for every scene, whatever its picture is. */
@@ -167,7 +167,7 @@ class LawsTest {
         rays.dz[0] = d.z();
         rays.source[0] = Rays.NONE;
         rays.clearHits();
-        ClosestHit.among(surfaces, rays, new SearchWorkspace()).run(0, rays.count);
+        ClosestHit.among(surfaces, rays, new Workspace()).run(0, rays.count);
         return rays;
     }
 

@@ -11,7 +11,7 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.ClosestHit;
-import raytracer.tracer.search.SearchWorkspace;
+import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.search.Ties;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
@@ -25,7 +25,7 @@ public final class Probe {
     private final List<Surfaces> surfaces;
     private final Rays rays;
     private final Ties ties;
-    private final SearchWorkspace space = new SearchWorkspace();
+    private final Workspace workspace = new Workspace();
 
     /** What a ray met: the shape's number in the order of declaration. */
     public record Meeting(int shape, double distance, Vector point, Vector normal) { }
@@ -36,7 +36,7 @@ public final class Probe {
         surfaces = compiler.surfaces();
         table = compiler.table();
         rays = new Rays();
-        ties = new Ties(table.declared(), surfaces, rays, space.surfaces());
+        ties = new Ties(table.declared(), surfaces, rays, workspace);
     }
 
     /** What a ray from the eye meets; null if nothing. The direction need not be of length 1. */
@@ -74,7 +74,7 @@ public final class Probe {
         shadows.dz[0] = unit.z();
         shadows.unoccluded[0] = true;
         shadows.start(0, 1);
-        surfaces.forEach(kind -> AnyHit.among(kind, rays, shadows, space).run(0, 1));
+        surfaces.forEach(kind -> AnyHit.among(kind, rays, shadows, workspace).run(0, 1));
         return shadows.unoccluded[0];
     }
 
@@ -101,7 +101,7 @@ public final class Probe {
 
     private Meeting meet() {
         rays.clearHits();
-        surfaces.forEach(kind -> ClosestHit.among(kind, rays, space).run(0, rays.count));
+        surfaces.forEach(kind -> ClosestHit.among(kind, rays, workspace).run(0, rays.count));
         ties.settle();
         int surface = rays.hit[0];
         if (surface == Rays.NONE) {

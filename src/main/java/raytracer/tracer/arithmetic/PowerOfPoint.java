@@ -15,18 +15,13 @@ public final class PowerOfPoint {
         double x = px - cx, y = py - cy, z = pz - cz;
         double xx = x * x, yy = y * y, zz = z * z, rr = r * r;
         double rest = Math.fma(x, x, -xx) + Math.fma(y, y, -yy) + Math.fma(z, z, -zz) - Math.fma(r, r, -rr)
-                + 2 * (x * restOfDifference(px, cx, x) + y * restOfDifference(py, cy, y)
-                        + z * restOfDifference(pz, cz, z));
+                + 2 * (x * restOfSum(px, -cx, x) + y * restOfSum(py, -cy, y)
+                        + z * restOfSum(pz, -cz, z));
         double s1 = xx + yy;
         double s2 = s1 + zz;
         double s3 = s2 - rr;
         rest += restOfSum(xx, yy, s1) + restOfSum(s1, zz, s2) + restOfSum(s2, -rr, s3);
         return s3 + rest;
-    }
-
-    /** What rounding took from a - b. */
-    private static double restOfDifference(double a, double b, double difference) {
-        return restOfSum(a, -b, difference);
     }
 
     /** What rounding took from a + b (Knuth's two-sum, for any order of magnitudes). */

@@ -18,13 +18,6 @@ public record Vectors(double[] x, double[] y, double[] z) {
         return new Vector(x[i], y[i], z[i]);
     }
 
-    /** Sets vector i to vector j of others. */
-    public void set(int i, Vectors others, int j) {
-        x[i] = others.x[j];
-        y[i] = others.y[j];
-        z[i] = others.z[j];
-    }
-
     /** out = a . v, where a is the same for all. */
     public void dot(double ax, double ay, double az, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {

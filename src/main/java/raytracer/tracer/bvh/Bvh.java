@@ -1,5 +1,7 @@
 package raytracer.tracer.bvh;
 
+import java.util.stream.IntStream;
+
 /**
  * A bounding volume hierarchy with four children a node, and a few oversized primitives, for which a tree is of no
  * use: every ray tries those.
@@ -50,16 +52,7 @@ public record Bvh(int[] order, int oversized, float[] nodes, int root, TreeSpace
 
     /** So many primitives that are all oversized. */
     public static Bvh withoutTree(int count) {
-        return new Bvh(numbers(count), count, new float[0], EMPTY, new TreeSpace(0, 0, 0, 1));
-    }
-
-    /** From 0 on. */
-    static int[] numbers(int count) {
-        int[] numbers = new int[count];
-        for (int i = 0; i < count; i++) {
-            numbers[i] = i;
-        }
-        return numbers;
+        return new Bvh(IntStream.range(0, count).toArray(), count, new float[0], EMPTY, new TreeSpace(0, 0, 0, 1));
     }
 
     /**

@@ -2,6 +2,7 @@ package raytracer.tracer.bvh;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.stream.IntStream;
 import raytracer.tracer.bvh.SahSplitter.Range;
 
 /**
@@ -37,7 +38,7 @@ public final class BvhBuilder {
 
     /** @param leafSize the most primitives in a leaf, at most {@link Bvh#LEAF_SIZE} */
     public static Bvh build(int count, Bounds bounds, int leafSize) {
-        int[] order = Bvh.numbers(count);
+        int[] order = IntStream.range(0, count).toArray();
         Extent extent = Extent.of(order, 0, bounds);
         int oversized = 0;
         // Without the widest the others may have a much smaller box, in which some are the widest again.

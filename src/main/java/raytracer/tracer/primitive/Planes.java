@@ -6,7 +6,6 @@ import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
@@ -84,12 +83,6 @@ public final class Planes extends Surfaces {
     private boolean isBetween(Rays rays, int i, int k, int side) {
         double below = side * offset(rays, i, k);
         return below > 0 && rays.hit[i] != surface(k) && below > offsetError(rays, i, k);
-    }
-
-    /** Where a plane shows in part of a bundle, a corner is: all planes are endless. */
-    @Override
-    public boolean mayShowWithin(RayBundle bundle, int k) {
-        return false;
     }
 
     @Override

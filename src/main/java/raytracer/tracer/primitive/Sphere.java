@@ -1,7 +1,6 @@
 package raytracer.tracer.primitive;
 
 import raytracer.scene.Shape;
-import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.PowerOfPoint;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.LightSource;
@@ -30,14 +29,6 @@ final class Sphere {
         cy = sphere.centre().y();
         cz = sphere.centre().z();
         r = sphere.radius();
-    }
-
-    Vector centre() {
-        return new Vector(cx, cy, cz);
-    }
-
-    double radius() {
-        return r;
     }
 
     /** The distance at which a ray hits the sphere; NaN if it does not, or farther away than {@link Rays#maxDistance}. */

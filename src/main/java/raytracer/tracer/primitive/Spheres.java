@@ -3,7 +3,6 @@ package raytracer.tracer.primitive;
 import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.tracer.bvh.Bvh;
-import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
@@ -49,11 +48,6 @@ public final class Spheres extends Surfaces {
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
         spheres[k].blockAll(rays, shadows, from, to);
-    }
-
-    @Override
-    public boolean mayShowWithin(RayBundle bundle, int k) {
-        return !bundle.isClearOfSphere(spheres[k].centre(), spheres[k].radius());
     }
 
     @Override

@@ -6,7 +6,6 @@ import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.LightSource;
-import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
@@ -208,11 +207,6 @@ public final class Triangles extends Surfaces {
         double lightOffset = x * data.nx(k) + y * data.ny(k) + z * data.nz(k);
         double bound = Rounding.planeOffset(light.positionError(), Math.abs(x) + Math.abs(y) + Math.abs(z));
         return offset > 0 ? lightOffset < -bound : lightOffset > bound;
-    }
-
-    @Override
-    public boolean mayShowWithin(RayBundle bundle, int k) {
-        return !bundle.isClearOfTriangle(data.corner(k, 0), data.corner(k, 1), data.corner(k, 2));
     }
 
     @Override

@@ -15,22 +15,12 @@ public final class RayIntervals {
     /** What is farther away, in that unit, does not matter. */
     public double maxDistance;
 
-    /** Takes in no rays. */
-    public void clear() {
+    private void clear() {
         for (int axis = 0; axis < 3; axis++) {
             minOrigin[axis] = minDirection[axis] = Double.POSITIVE_INFINITY;
             maxOrigin[axis] = maxDirection[axis] = Double.NEGATIVE_INFINITY;
         }
         maxDistance = 0;
-    }
-
-    /** Takes in rays, from one index to another, as well. */
-    public void include(Vectors origins, Vectors directions, double[] distances, int from, int to) {
-        include(origins, from, to, minOrigin, maxOrigin);
-        include(directions, from, to, minDirection, maxDirection);
-        for (int i = from; i < to; i++) {
-            maxDistance = distances[i] > maxDistance ? distances[i] : maxDistance;
-        }
     }
 
     /** Takes in a batch's rays, from one index to another, in place of all others, as far as their distances. */

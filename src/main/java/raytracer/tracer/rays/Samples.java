@@ -34,15 +34,4 @@ public final class Samples {
             Arrays.fill(y, row * columns, (row + 1) * columns, top + row + 0.5);
         }
     }
-
-    /**
-     * Takes the corners of a rectangle's pixels, row by row, in place of all points: one more than columns, and rows.
-     */
-    public void setCorners(int left, int top, int columns, int rows) {
-        setCentres(left, top, columns + 1, rows + 1);
-        for (int i = 0; i < count; i++) {
-            x[i] -= 0.5;
-            y[i] -= 0.5;
-        }
-    }
 }

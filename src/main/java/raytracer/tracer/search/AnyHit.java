@@ -4,6 +4,7 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /**
  * Occludes the shadow rays that surfaces of one kind block. Before it walks the tree, a ray tries the surface that last
@@ -17,29 +18,29 @@ public final class AnyHit extends TreeSearch {
     private int lastBlocker = -1;
 
     /** The search among surfaces of one kind; where no tree has any, it only tries each. */
-    public static Search among(Surfaces kind, Rays rays, ShadowRays shadows, SearchWorkspace space) {
-        AnyHit search = new AnyHit(kind, rays, shadows, space);
+    public static Search among(Surfaces kind, Rays rays, ShadowRays shadows, Workspace workspace) {
+        AnyHit search = new AnyHit(kind, rays, shadows, workspace);
         return kind.bvh().root() == Bvh.EMPTY ? search::tryOversized : search;
     }
 
-    private AnyHit(Surfaces surfaces, Rays rays, ShadowRays shadows, SearchWorkspace space) {
-        super(surfaces, rays, shadows.direction, shadows.originError, shadows.directionError, space);
+    private AnyHit(Surfaces surfaces, Rays rays, ShadowRays shadows, Workspace workspace) {
+        super(surfaces, rays, shadows.direction, shadows.originError, shadows.directionError, workspace);
         this.shadows = shadows;
     }
 
     @Override
     void enclose(int from, int to) {
-        space.intervals().enclose(rays, shadows.light, from, to);
+        intervals.enclose(rays, shadows.light, from, to);
     }
 
     @Override
     void prepare(int from, int to) {
-        surfaces.prepareToBlock(rays, shadows, from, to, space.surfaces());
+        surfaces.prepareToBlock(rays, shadows, from, to, workspace);
     }
 
     @Override
     void tryAll(int from, int to, int k) {
-        surfaces.blockAll(rays, shadows, from, to, k, space.surfaces());
+        surfaces.blockAll(rays, shadows, from, to, k, workspace);
     }
 
     @Override

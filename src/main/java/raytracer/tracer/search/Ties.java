@@ -1,6 +1,6 @@
 package raytracer.tracer.search;
 
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 import raytracer.tracer.arithmetic.Rounding;
 import raytracer.tracer.rays.Candidates;
@@ -21,11 +21,10 @@ public final class Ties implements Candidates {
     private final Rays rays;
     private final Workspace workspace;
 
-    // What the ray hits about where its nearest surface is.
-    private int[] found = new int[8];
-    private double[] distances = new double[8];
-    private double[] errors = new double[8];
-    private int count;
+    /** What the ray hits about where its nearest surface is. */
+    private final List<Found> found = new ArrayList<>();
+
+    private record Found(int surface, double distance, double error) { }
 
     /** @param declared by a surface's index: its number in the order of declaration */
     public Ties(int[] declared, List<Surfaces> surfaces, Rays rays, Workspace workspace) {
@@ -49,33 +48,26 @@ public final class Ties implements Candidates {
     }
 
     private void settle(int ray) {
-        count = 0;
+        found.clear();
         for (Surfaces kind : surfaces) {
             kind.collect(rays, ray, this, workspace);
         }
         double bound = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
-            bound = Math.min(bound, distances[i] + errors[i]);
+        for (Found f : found) {
+            bound = Math.min(bound, f.distance + f.error);
         }
-        int first = -1;
-        for (int i = 0; i < count; i++) {
-            if (distances[i] - errors[i] <= bound && (first < 0 || declared[found[i]] < declared[found[first]])) {
-                first = i;
+        Found first = null;
+        for (Found f : found) {
+            if (f.distance - f.error <= bound && (first == null || declared[f.surface] < declared[first.surface])) {
+                first = f;
             }
         }
-        rays.hit[ray] = found[first];
-        rays.distance[ray] = distances[first];
+        rays.hit[ray] = first.surface;
+        rays.distance[ray] = first.distance;
     }
 
     @Override
     public void add(int surface, double distance, double error) {
-        if (count == found.length) {
-            found = Arrays.copyOf(found, 2 * count);
-            distances = Arrays.copyOf(distances, 2 * count);
-            errors = Arrays.copyOf(errors, 2 * count);
-        }
-        found[count] = surface;
-        distances[count] = distance;
-        errors[count++] = Rounding.tie(error, distance);
+        found.add(new Found(surface, distance, Rounding.tie(error, distance)));
     }
 }

@@ -3,9 +3,10 @@ package raytracer.tracer.search;
 import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
+import raytracer.tracer.rays.RayIntervals;
 import raytracer.tracer.rays.Rays;
-import raytracer.tracer.surface.SieveLine;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /**
  * Searches surfaces of one kind for what a batch of rays hits. If the rays' {@link Beam} finds few surfaces, all rays try
@@ -16,25 +17,29 @@ abstract class TreeSearch implements Search {
     final Surfaces surfaces;
     final Bvh bvh;
     final Rays rays;
-    final SearchWorkspace space;
+    final Workspace workspace;
 
+    /** Where the searched rays are. */
+    final RayIntervals intervals = new RayIntervals();
+
+    private final Beam beam = new Beam();
     private final Vectors direction;
     private final double[] originError;
     private final double[] directionError;
 
     /** @param direction in which to search, from where rays start; the errors are bounds on those of both */
     TreeSearch(Surfaces surfaces, Rays rays, Vectors direction, double[] originError, double[] directionError,
-            SearchWorkspace space) {
+            Workspace workspace) {
         this.surfaces = surfaces;
         this.rays = rays;
         this.direction = direction;
         this.originError = originError;
         this.directionError = directionError;
-        this.space = space;
+        this.workspace = workspace;
         bvh = surfaces.bvh();
     }
 
-    /** Takes in what is searched, in {@link SearchWorkspace#intervals}. */
+    /** Takes in what is searched, in {@link #intervals}. */
     abstract void enclose(int from, int to);
 
     /** Computes what {@link #tryAll} needs to know of rays. */
@@ -58,9 +63,9 @@ abstract class TreeSearch implements Search {
             tryOversized(from, to);
         }
         enclose(from, to);
-        if (!space.beam().gather(space.intervals(), bvh)) {
+        if (!beam.gather(intervals, bvh)) {
             walk(from, to);
-        } else if (space.beam().count > 0) {
+        } else if (beam.count > 0) {
             tryGathered(from, to);
         }
     }
@@ -75,8 +80,8 @@ abstract class TreeSearch implements Search {
 
     private void tryGathered(int from, int to) {
         prepare(from, to);
-        for (int n = 0; n < space.beam().count; n++) {
-            tryAll(from, to, space.beam().primitives[n]);
+        for (int n = 0; n < beam.count; n++) {
+            tryAll(from, to, beam.primitives[n]);
         }
     }
 
@@ -91,13 +96,11 @@ abstract class TreeSearch implements Search {
     }
 
     private void walk(int i) {
-        BvhWalk walk = space.surfaces().walk;
+        BvhWalk walk = workspace.walk;
         if (walk.start(bvh, rays.ox[i], rays.oy[i], rays.oz[i], direction.x()[i], direction.y()[i], direction.z()[i])) {
-            walk.enter(space.beam().entry);
+            walk.enter(beam.entry);
             if (surfaces.hasSieve()) {
-                SieveLine line = space.surfaces().line;
-                line.setPoint(walk.x, walk.y, walk.z, walk.start);
-                line.setDirection(direction.x()[i], direction.y()[i], direction.z()[i],
+                workspace.line.set(walk, direction.x()[i], direction.y()[i], direction.z()[i],
                         originError[i] * bvh.space().scale(), directionError[i]);
             }
             tryLeaves(i, walk);
@@ -106,7 +109,7 @@ abstract class TreeSearch implements Search {
 
     private void tryLeaves(int ray, BvhWalk walk) {
         while (walk.nextLeaf(maxDistance(ray))) {
-            int bits = surfaces.mayHit(walk.first, walk.end, space.surfaces());
+            int bits = surfaces.mayHit(walk.first, walk.end, workspace);
             for (; bits != 0; bits &= bits - 1) {
                 if (tryOne(ray, walk.first + Integer.numberOfTrailingZeros(bits))) {
                     return;

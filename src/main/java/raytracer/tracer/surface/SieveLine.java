@@ -1,6 +1,7 @@
 package raytracer.tracer.surface;
 
 import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.bvh.BvhWalk;
 
 /**
  * A ray's line as a sieve in floats wants it: its direction and moment, origin x direction, in the space of the tree.
@@ -21,34 +22,20 @@ public final class SieveLine {
     /** By how much a side may be off, for each unit of an edge's length. */
     public float tolerance;
 
-    private double x, y, z;
-    private double l1Norm;
-
     /**
-     * Lets the line go through a point in tree space.
-     *
-     * @param far no point of the tree's cube is farther from the ray's origin than this plus 4
-     */
-    public void setPoint(double x, double y, double z, double far) {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        // In tree space no corner is farther; by |x| + |y| + |z| it is sqrt 3 times as far.
-        l1Norm = 2 * (far + 4);
-    }
-
-    /**
-     * Lets it go in a direction.
+     * Lets the line go in a direction through the point where a walk has taken up its ray.
      *
      * @param originError of each coordinate, in tree space
      */
-    public void setDirection(double dx, double dy, double dz, double originError, double directionError) {
+    public void set(BvhWalk walk, double dx, double dy, double dz, double originError, double directionError) {
         this.dx = (float) dx;
         this.dy = (float) dy;
         this.dz = (float) dz;
-        momentX = (float) (y * dz - z * dy);
-        momentY = (float) (z * dx - x * dz);
-        momentZ = (float) (x * dy - y * dx);
+        momentX = (float) (walk.y * dz - walk.z * dy);
+        momentY = (float) (walk.z * dx - walk.x * dz);
+        momentZ = (float) (walk.x * dy - walk.y * dx);
+        // No corner in the tree's cube is farther from the ray's origin; by |x| + |y| + |z| it is sqrt 3 times as far.
+        double l1Norm = 2 * (walk.start + 4);
         // The robust test takes what is within the bound by what it has computed, which is off by as much (twice the
         // side for edges up to twice as long as the bound here); and a walk moves the origin, by which a side is off
         // by less than another two such bounds.

@@ -4,7 +4,6 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.rays.Candidates;
-import raytracer.tracer.rays.RayBundle;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -69,9 +68,6 @@ public abstract class Surfaces {
 
     /** Whether the surface with this number among these is strictly between a point and its light. */
     public abstract boolean blocks(Rays rays, ShadowRays shadows, int ray, int k);
-
-    /** Whether the surface with this number among these may show within a bundle and not at its corners. */
-    public abstract boolean mayShowWithin(RayBundle bundle, int k);
 
     /**
      * Moves rays, from one index to another, that have hit these to where they hit them: their origins become those

@@ -75,8 +75,7 @@ class TriangleSieveTest {
             if (!walk.start(bvh, o.x(), o.y(), o.z(), way.x(), way.y(), way.z())) {
                 continue;
             }
-            line.setPoint(walk.x, walk.y, walk.z, walk.start);
-            line.setDirection(way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
+            line.set(walk, way.x(), way.y(), way.z(), 0, Rounding.EYE_DIRECTION);
             assertTrue(lets(sieve, line, k), "ray " + i + " at triangle " + k);
             stopped += lets(sieve, line, (k + 1) % COUNT) ? 0 : 1;
         }
@@ -100,8 +99,7 @@ class TriangleSieveTest {
             Vector o = new Vector(corner.x() - 3 * d.x() + off[0], corner.y() - 3 * d.y() + off[1],
                     corner.z() - 3 * d.z() + off[2]);
             if (walk.start(bvh, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) {
-                line.setPoint(walk.x, walk.y, walk.z, walk.start);
-                line.setDirection(d.x(), d.y(), d.z(), error * bvh.space().scale(), Rounding.EYE_DIRECTION);
+                line.set(walk, d.x(), d.y(), d.z(), error * bvh.space().scale(), Rounding.EYE_DIRECTION);
                 assertTrue(lets(sieve, line, k), "ray " + i + " at triangle " + k);
             }
         }
@@ -118,8 +116,7 @@ class TriangleSieveTest {
         int some = 0;
         for (int i = 0; i < 2000; i++) {
             Vector d = new Vector(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).unit();
-            line.setPoint(0, 0, 0, 0);
-            line.setDirection(d.x(), d.y(), d.z(), 0, Rounding.EYE_DIRECTION);
+            line.set(new BvhWalk(), d.x(), d.y(), d.z(), 0, Rounding.EYE_DIRECTION);
             int first = random.nextInt(COUNT - Bvh.LEAF_SIZE), end = first + random.nextInt(Bvh.LEAF_SIZE + 1);
             int let = sieve.mayHit(line, first, end);
             for (int k = first; k < end; k++) {

@@ -27,6 +27,7 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 @DisplayName("The search for any hit")
 class AnyHitTest {
@@ -78,7 +79,7 @@ class AnyHitTest {
             Rays rays = new Rays();
             ShadowRays shadows = new ShadowRays(rays);
             // One object for all tiles: what it remembers of one must not matter to the next.
-            var search = AnyHit.among(surfaces, rays, shadows, new SearchWorkspace());
+            var search = AnyHit.among(surfaces, rays, shadows, new Workspace());
             int blocked = 0;
             for (int tile = 0; tile < TILES; tile++) {
                 scatter(rays, within(1.2), size);
