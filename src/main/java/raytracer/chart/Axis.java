@@ -12,8 +12,6 @@ import java.util.Locale;
  */
 record Axis(double low, double high, double band) {
 
-    private static final double[] STEPS = {1, 2, 5};
-
     /** What a band for none adds below the least value: room for dots. */
     private static final double ROOM = 4;
 

@@ -142,11 +142,12 @@ final class Job {
         claim(outputs);
         outputs.require();
         try (InputStream in = Files.newInputStream(input.path()); PictureFile picture = PictureFile.open(in)) {
-            Comparing comparing = new Comparing(options, outputs, picture.width(), picture.height(), terminal);
-            Reference.Verdict verdict = comparing.compare(picture.read());
+            Reference.Verdict verdict = outputs.readReference(picture.width(), picture.height(), options)
+                    .compare(picture.read());
+            int status = Comparing.tell(verdict, options, outputs, terminal);
             outputs.writeStats(Stats.json(input.name(), outputs.reference(), verdict, picture.width(),
                     picture.height()));
-            return Comparing.status(verdict);
+            return status;
         }
     }
 }

@@ -51,6 +51,12 @@ record Outputs(Input input, Destination destination, Path reference, Path differ
         return destination == null ? null : destination.file();
     }
 
+    /** What a picture of this size is compared with; null if with none. */
+    Reference readReference(int width, int height, Options options) throws IOException {
+        return reference == null ? null
+                : Reference.read(reference, width, height, options.whole(Option.TOLERANCE, 0), difference);
+    }
+
     /** Sees to it that rendering is not in vain. */
     void require() throws IOException {
         for (Path file : Arrays.asList(picture(), difference, stats)) {

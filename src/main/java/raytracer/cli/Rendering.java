@@ -44,8 +44,7 @@ final class Rendering {
 
     /** Returns the exit status. */
     int run(ParsedScene parsed) throws IOException {
-        Comparing comparing = outputs.reference() == null ? null
-                : new Comparing(options, outputs, region.width(), region.height(), terminal);
+        Reference reference = outputs.readReference(region.width(), region.height(), options);
         Image image = outputs.newImage(region.width(), region.height());
         trace(image);
         if (image.undefinedPixels() > 0) {
@@ -60,9 +59,10 @@ final class Rendering {
         if (image.isBlack() && !options.has(Option.REGION)) {
             terminal.tell(outputs.input().name() + ": warning: the picture is black: " + BlackPicture.reason(parsed));
         }
-        Reference.Verdict verdict = comparing == null ? null : comparing.compare(image.toBufferedImage());
+        Reference.Verdict verdict = reference == null ? null : reference.compare(image.toBufferedImage());
+        int status = verdict == null ? Main.DONE : Comparing.tell(verdict, options, outputs, terminal);
         outputs.writeStats(stats.json(scene, outputs.reference(), verdict));
-        return verdict == null ? Main.DONE : Comparing.status(verdict);
+        return status;
     }
 
     private void trace(Image image) {

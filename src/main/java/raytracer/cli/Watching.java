@@ -20,6 +20,7 @@ final class Watching {
 
     private final List<Input> inputs;
     private final Consumer<Input> job;
+    private final Map<Input, Stamp> seen = new HashMap<>();
     private final Map<Input, Stamp> done = new HashMap<>();
 
     /** What tells one version of a file from another. */
@@ -56,18 +57,10 @@ final class Watching {
     }
 
     /** What is saved meanwhile is seen the next time, however often it was. */
-    private void doIfSaved(Input input) throws InterruptedException {
-        Stamp now = Stamp.of(input);
-        if (now == null || now.equals(done.get(input))) {
-            return;
-        }
-        Stamp before;
-        do {
-            before = now;
-            Thread.sleep(done.isEmpty() ? 0 : MILLIS);
-            now = Stamp.of(input);
-        } while (!before.equals(now) && now != null);
-        if (now != null) {
+    private void doIfSaved(Input input) {
+        Stamp now = Stamp.of(input), before = seen.put(input, now);
+        boolean isWhole = now != null && (now.equals(before) || done.isEmpty());
+        if (isWhole && !now.equals(done.get(input))) {
             done.put(input, now);
             job.accept(input);
         }

@@ -75,17 +75,14 @@ public final class Options {
             throw new UsageException("expected a scene file, found none; see --help");
         }
         if (scenes.size() > 1) {
-            for (Option option : List.of(Option.OUTPUT, Option.STATS, Option.DIFF, Option.CHART, Option.EXPLAIN)) {
-                requireOneScene(has(option), option.flag());
+            for (Option option : List.of(Option.OUTPUT, Option.STATS, Option.DIFF, Option.CHART, Option.EXPLAIN,
+                    Option.COMPARE)) {
+                boolean isFolder = option == Option.COMPARE && has(option) && new File(text(option)).isDirectory();
+                if (has(option) && !isFolder) {
+                    throw new UsageException(option.flag() + (option == Option.COMPARE ? " with a file (not a folder)" : "")
+                            + " goes with one scene, found " + scenes.size());
+                }
             }
-            requireOneScene(has(Option.COMPARE) && !new File(text(Option.COMPARE)).isDirectory(),
-                    "--compare with a file (not a folder)");
-        }
-    }
-
-    private void requireOneScene(boolean alone, String what) throws UsageException {
-        if (alone) {
-            throw new UsageException(what + " goes with one scene, found " + scenes.size());
         }
     }
 

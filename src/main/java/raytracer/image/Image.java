@@ -39,17 +39,9 @@ public final class Image implements PixelSink {
         return pixels > Long.MAX_VALUE / COMPONENTS ? Long.MAX_VALUE : COMPONENTS * pixels;
     }
 
-    public int width() {
-        return picture.getWidth();
-    }
-
-    public int height() {
-        return picture.getHeight();
-    }
-
     @Override
     public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
-        int width = width();
+        int width = picture.getWidth();
         for (int i = 0; i < columns * rows; i++) {
             int at = COMPONENTS * ((y + i / columns) * width + x + i % columns);
             bytes[at] = Quantiser.quantise(blue[i]);

@@ -53,28 +53,22 @@ enum Command {
         return null;
     }
 
-    /** What to do about a word that is no command; nothing if that is not known. */
+    /** What to do about a word that is no command, but one of other scene formats, or close to one; else nothing. */
     static String advice(String word) {
-        String hint = hint(word);
-        return hint != null ? "; " + hint : suggestion(word);
-    }
-
-    /** What to do about a word of other scene formats; null if that is not known. */
-    private static String hint(String word) {
         return switch (word) {
-            case "shadow", "shadows" -> "shadows are always on: take the line out";
-            case "emission" -> "add its colour to 'ambient'";
-            case "attenuation" -> "lights do not weaken with distance: take the line out";
-            case "checker", "texture" -> "a shape has one colour: 'diffuse r g b'";
-            case "sampling", "samples", "antialiasing" -> "the option --samples N smooths edges: take the line out";
+            case "shadow", "shadows" -> "; shadows are always on: take the line out";
+            case "emission" -> "; add its colour to 'ambient'";
+            case "attenuation" -> "; lights do not weaken with distance: take the line out";
+            case "checker", "texture" -> "; a shape has one colour: 'diffuse r g b'";
+            case "sampling", "samples", "antialiasing" -> "; the option --samples N smooths edges: take the line out";
             case "reflection", "reflectivity", "reflect" ->
-                "mirrors have the colour of 'specular', and show as deep as 'maxdepth'";
+                "; mirrors have the colour of 'specular', and show as deep as 'maxdepth'";
             case "translate", "rotate", "scale", "pushTransform", "popTransform", "transform" ->
-                "the format has no transformations: write coordinates out";
+                "; the format has no transformations: write coordinates out";
             case "maxvertnorms", "vertexnormal", "trinormal" ->
-                "triangles are flat: use 'maxverts', 'vertex' and 'tri'";
-            case "background" -> "what meets nothing is black: take the line out";
-            default -> null;
+                "; triangles are flat: use 'maxverts', 'vertex' and 'tri'";
+            case "background" -> "; what meets nothing is black: take the line out";
+            default -> suggestion(word);
         };
     }
 

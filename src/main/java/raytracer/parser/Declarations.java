@@ -24,9 +24,9 @@ public record Declarations(List<Place> shapes, List<Place> lights) {
         while (reader.advance()) {
             Command command = line.firstWord() ? Command.of(line.word()) : null;
             if (command == Command.SPHERE || command == Command.PLANE || command == Command.TRI) {
-                all.shapes.add(new Place(command.keyword(), reader.number()));
+                all.shapes.add(new Place(command.keyword(), reader.number));
             } else if (command == Command.POINT || command == Command.DIRECTIONAL) {
-                all.lights.add(new Place(command.keyword(), reader.number()));
+                all.lights.add(new Place(command.keyword(), reader.number));
             }
         }
         return all;

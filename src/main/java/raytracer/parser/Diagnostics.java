@@ -48,14 +48,14 @@ final class Diagnostics {
     void error(int from, int to, String message) {
         if (++errorCount <= MAX_ERRORS) {
             int column = column(from);
-            errors.add(new Diagnostic(file, reader.number(), column, message,
-                    excerpt(text(reader.start(), reader.end()), column - 1, characters(from, to))));
+            errors.add(new Diagnostic(file, reader.number, column, message,
+                    excerpt(text(reader.start, reader.end), column - 1, characters(from, to))));
         }
     }
 
     /** In characters, from 1, of a place in the current line. */
     int column(int at) {
-        return 1 + characters(reader.start(), at);
+        return 1 + characters(reader.start, at);
     }
 
     /** An error of the file as a whole: its place is the beginning. */
@@ -122,7 +122,7 @@ final class Diagnostics {
     }
 
     private String decoded(int from, int to) {
-        return new String(reader.buffer(), from, to - from, StandardCharsets.UTF_8);
+        return new String(reader.buffer, from, to - from, StandardCharsets.UTF_8);
     }
 
     private String text(int from, int to) {
@@ -133,7 +133,7 @@ final class Diagnostics {
     private int characters(int from, int to) {
         int count = 0;
         for (int i = from; i < to; i++) {
-            if ((reader.buffer()[i] & 0xC0) != 0x80) {
+            if ((reader.buffer[i] & 0xC0) != 0x80) {
                 count++;
             }
         }

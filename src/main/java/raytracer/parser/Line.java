@@ -17,8 +17,10 @@ final class Line {
 
     private final LineReader reader;
     private byte[] bytes;
-    private int from;
-    private int to;
+
+    // Where the current word starts in the buffer, and behind it.
+    int from;
+    int to;
 
     Line(LineReader reader) {
         this.reader = reader;
@@ -26,8 +28,8 @@ final class Line {
 
     /** Goes to the first word of the reader's line; false if there is none. */
     boolean firstWord() {
-        bytes = reader.buffer();
-        to = reader.start();
+        bytes = reader.buffer;
+        to = reader.start;
         return nextWord();
     }
 
@@ -60,16 +62,6 @@ final class Line {
         from = start;
         to = end;
         return true;
-    }
-
-    /** Where the current word starts in the buffer. */
-    int from() {
-        return from;
-    }
-
-    /** Behind the current word. */
-    int to() {
-        return to;
     }
 
     String word() {

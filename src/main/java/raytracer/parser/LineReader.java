@@ -16,13 +16,20 @@ final class LineReader {
     private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
 
     private final InputStream in;
-    private byte[] buffer = new byte[1 << 16];
     private int filled;
-    private int start;
-    private int end;
     private int next;
-    private long number;
-    private boolean tooLong;
+
+    byte[] buffer = new byte[1 << 16];
+
+    // Where the current line starts in the buffer; and behind its last byte, where a line feed stands.
+    int start;
+    int end;
+
+    /** The current line's number, from 1; 0 before the first. */
+    long number;
+
+    /** Whether reading stopped at a line of more than {@link #LONGEST_LINE} bytes. */
+    boolean isTooLong;
 
     LineReader(InputStream in) {
         this.in = in;
@@ -42,7 +49,7 @@ final class LineReader {
             }
             int length = filled - start;
             if (length >= LONGEST_LINE) {
-                tooLong = true;
+                isTooLong = true;
                 number++;
                 end = start;
                 return false;
@@ -86,29 +93,5 @@ final class LineReader {
         int read = in.readNBytes(buffer, filled, buffer.length - 1 - filled);
         filled += read;
         return read > 0;
-    }
-
-    byte[] buffer() {
-        return buffer;
-    }
-
-    /** Where the current line starts in the buffer. */
-    int start() {
-        return start;
-    }
-
-    /** Behind the current line's last byte, a carriage return not counted; a line feed stands there. */
-    int end() {
-        return end;
-    }
-
-    /** The current line's number, from 1; 0 before the first. */
-    long number() {
-        return number;
-    }
-
-    /** Whether reading stopped at a line of more than {@link #LONGEST_LINE} bytes. */
-    boolean tooLong() {
-        return tooLong;
     }
 }

@@ -49,10 +49,10 @@ final class Operands {
         readKeyword(command);
         for (int i = 0; i < names.length; i++) {
             double value = line.nextNumber();
-            from[i] = line.from();
-            to[i] = line.to();
+            from[i] = line.from;
+            to[i] = line.to;
             if (!Double.isFinite(value)) {
-                throw line.from() == line.to() ? wrongCount(i) : notANumber(i, value);
+                throw line.from == line.to ? wrongCount(i) : notANumber(i, value);
             }
             values[i] = value;
         }
@@ -67,16 +67,16 @@ final class Operands {
         if (!line.rest()) {
             throw reject(keywordTo, keywordTo + 1, "expected a name after '" + keyword + "', found none");
         }
-        from[0] = line.from();
-        to[0] = line.to();
+        from[0] = line.from;
+        to[0] = line.to;
         return line.word();
     }
 
     private void readKeyword(Command command) {
         keyword = command.keyword();
         names = command.operands();
-        keywordFrom = line.from();
-        keywordTo = line.to();
+        keywordFrom = line.from;
+        keywordTo = line.to;
     }
 
     private Rejected notANumber(int i, double value) {
@@ -86,13 +86,13 @@ final class Operands {
     /** The line's current word is the first that is too many; or there is none, and some are missing. */
     private Rejected wrongCount(int read) {
         boolean tooMany = read == names.length;
-        int start = tooMany ? line.from() : read > 0 ? from[0] : keywordTo;
-        int end = tooMany ? line.to() : read > 0 ? to[read - 1] : keywordTo + 1;
+        int start = tooMany ? line.from : read > 0 ? from[0] : keywordTo;
+        int end = tooMany ? line.to : read > 0 ? to[read - 1] : keywordTo + 1;
         int found = read;
         if (tooMany) {
             do {
                 found++;
-                end = line.to();
+                end = line.to;
             } while (line.nextWord());
         }
         return reject(start, end, "expected " + names.length + (names.length == 1 ? " number" : " numbers") + " after '"

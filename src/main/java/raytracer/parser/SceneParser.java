@@ -71,15 +71,15 @@ public final class SceneParser {
 
     private ParsedScene parse() throws IOException, SceneException {
         while (!diagnostics.isHopeless() && reader.advance()) {
-            if (reader.number() == 1 && isNoText()) {
+            if (reader.number == 1 && isNoText()) {
                 throw diagnostics.exception();
             }
             if (line.firstWord()) {
                 command();
             }
         }
-        if (reader.tooLong()) {
-            diagnostics.error(reader.start(), reader.start(),
+        if (reader.isTooLong) {
+            diagnostics.error(reader.start, reader.start,
                     "expected a line of at most " + LineReader.LONGEST_LINE + " bytes, found a longer one");
         } else if (!diagnostics.isHopeless()) {
             require(Command.SIZE);
@@ -95,8 +95,8 @@ public final class SceneParser {
 
     /** Whether the file, of which this is the first line, is of a kind that is often taken for a scene. */
     private boolean isNoText() {
-        byte[] b = reader.buffer();
-        int at = reader.start(), first = b[at] & 0xFF, second = b[at + 1] & 0xFF;
+        byte[] b = reader.buffer;
+        int at = reader.start, first = b[at] & 0xFF, second = b[at + 1] & 0xFF;
         if (first == 0x89 && second == 'P') {
             diagnostics.errorOfFile("expected a scene, found a PNG picture; -o FILE names the output");
         } else if (first == 0xFF && second == 0xFE || first == 0xFE && second == 0xFF || first == 0 || second == 0) {
@@ -115,7 +115,7 @@ public final class SceneParser {
     private void command() {
         Command command = Command.of(line.word());
         if (command == null) {
-            diagnostics.unknownCommand(line.word(), line.from(), line.to());
+            diagnostics.unknownCommand(line.word(), line.from, line.to);
             return;
         }
         try {
@@ -139,10 +139,10 @@ public final class SceneParser {
             case CAMERA -> camera(o);
             case OUTPUT -> output(o);
             case MAXDEPTH -> maxDepth = once(command, o).whole(0, 1, MAX);
-            case AMBIENT -> shapes.ambient(coloured(o.colour(0)));
-            case DIFFUSE -> shapes.diffuse(coloured(o.colour(0)));
-            case SPECULAR -> shapes.specular(o.colour(0));
-            case SHININESS -> shapes.shininess(o.number(0));
+            case AMBIENT -> shapes.ambient = coloured(o.colour(0));
+            case DIFFUSE -> shapes.diffuse = coloured(o.colour(0));
+            case SPECULAR -> shapes.specular = o.colour(0);
+            case SHININESS -> shapes.shininess = o.number(0);
             case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
             case POINT -> lights.add(new Light.Point(o.point(0), o.colour(3)));
             case MAXVERTS -> maxVertices = once(command, o).whole(0, 0, MAX);
@@ -162,8 +162,8 @@ public final class SceneParser {
     /** What a shape on this line is made of. */
     private Material materialHere() {
         if (!anyColour) {
-            firstColourless = firstColourless == 0 ? reader.number() : firstColourless;
-            lastColourless = reader.number();
+            firstColourless = firstColourless == 0 ? reader.number : firstColourless;
+            lastColourless = reader.number;
         }
         return shapes.material();
     }
@@ -171,9 +171,9 @@ public final class SceneParser {
     /** Keeps one mistake from being reported again by every line that builds on it. */
     private void recover(Command command) {
         switch (command) {
-            case SIZE, CAMERA -> lineOf.putIfAbsent(command, reader.number());
+            case SIZE, CAMERA -> lineOf.putIfAbsent(command, reader.number);
             case MAXVERTS -> {
-                lineOf.putIfAbsent(command, reader.number());
+                lineOf.putIfAbsent(command, reader.number);
                 maxVertices = MAX;
             }
             case VERTEX -> shapes.addVertex(0, 0, 0);
@@ -182,7 +182,7 @@ public final class SceneParser {
     }
 
     private Operands once(Command command, Operands o) throws Operands.Rejected {
-        Long first = lineOf.putIfAbsent(command, reader.number());
+        Long first = lineOf.putIfAbsent(command, reader.number);
         if (first != null) {
             throw o.rejectCommand("expected '" + command.keyword() + "' once, found it again (first on line " + first
                     + ")");
@@ -211,7 +211,7 @@ public final class SceneParser {
         String name = o.readText(Command.OUTPUT);
         once(Command.OUTPUT, o);
         output = name;
-        outputPlace = ":" + reader.number() + ":" + o.column(0);
+        outputPlace = ":" + reader.number + ":" + o.column(0);
     }
 
     private void vertex(Operands o) throws Operands.Rejected {
@@ -233,7 +233,7 @@ public final class SceneParser {
             throw o.rejectAll(0, 2, "expected the corners of 'tri' to be 1e-150 or more apart, or equal");
         }
         if (shapes.lastTriangleIsEmpty() && emptyTriangles++ == 0) {
-            firstEmptyTriangleLine = reader.number();
+            firstEmptyTriangleLine = reader.number;
         }
     }
 

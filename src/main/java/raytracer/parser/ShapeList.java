@@ -16,7 +16,14 @@ final class ShapeList {
 
     private final List<Shape> shapes = new ArrayList<>();
     private final Mesh.Builder mesh = new Mesh.Builder();
-    private Material current = Material.DEFAULT;
+
+    // In force, each from its command on.
+    Colour ambient = Colour.BLACK;
+    Colour diffuse = Colour.BLACK;
+    Colour specular = Colour.BLACK;
+    double shininess = 1;
+
+    private Material current;
     private int runStart;
     private Material runMaterial;
 
@@ -75,28 +82,10 @@ final class ShapeList {
 
     /** What a shape is made of that is declared now: the same object for as long as no value changes. */
     Material material() {
-        return current;
-    }
-
-    void ambient(Colour c) {
-        set(new Material(c, current.diffuse(), current.specular(), current.shininess()));
-    }
-
-    void diffuse(Colour c) {
-        set(new Material(current.ambient(), c, current.specular(), current.shininess()));
-    }
-
-    void specular(Colour c) {
-        set(new Material(current.ambient(), current.diffuse(), c, current.shininess()));
-    }
-
-    void shininess(double s) {
-        set(new Material(current.ambient(), current.diffuse(), current.specular(), s));
-    }
-
-    private void set(Material material) {
-        if (!material.equals(current)) {
-            current = material;
+        Material now = new Material(ambient, diffuse, specular, shininess);
+        if (!now.equals(current)) {
+            current = now;
         }
+        return current;
     }
 }

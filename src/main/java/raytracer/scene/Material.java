@@ -7,9 +7,6 @@ package raytracer.scene;
  */
 public record Material(Colour ambient, Colour diffuse, Colour specular, double shininess) {
 
-    /** What a shape is made of that is declared before any material command. */
-    public static final Material DEFAULT = new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1);
-
     // As every record has them, but written out: those are put together at run time, which takes 50 ms of every start.
 
     @Override

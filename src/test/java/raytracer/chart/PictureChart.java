@@ -91,8 +91,8 @@ final class PictureChart {
 
     private static int differing(Image image, BufferedImage exact) {
         int count = 0;
-        for (int y = 0; y < image.height(); y++) {
-            for (int x = 0; x < image.width(); x++) {
+        for (int y = 0; y < image.toBufferedImage().getHeight(); y++) {
+            for (int x = 0; x < image.toBufferedImage().getWidth(); x++) {
                 count += image.rgb(x, y) != (exact.getRGB(x, y) & 0xFFFFFF) ? 1 : 0;
             }
         }

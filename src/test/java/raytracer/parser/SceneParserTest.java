@@ -23,6 +23,9 @@ import raytracer.scene.Vector;
 @DisplayName("A valid scene file")
 class SceneParserTest {
 
+    /** Before any material command. */
+    private static final Material DEFAULT = new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1);
+
     private static final String HEAD = "size 4 3\ncamera 0 0 5 0 0 0 0 1 0 45\n";
 
     private static Scene parse(String text) throws Exception {
@@ -60,7 +63,7 @@ class SceneParserTest {
         Material second = new Material(
                 new Colour(.1, .2, .3), new Colour(.4, .5, .6), new Colour(.7, .8, .9), 12);
         assertEquals(List.of(
-                new Shape.Sphere(new Vector(1, 2, 3), 4, Material.DEFAULT),
+                new Shape.Sphere(new Vector(1, 2, 3), 4, DEFAULT),
                 new Shape.Plane(new Vector(1, 2, 3), new Vector(0, 0, -2), second),
                 new Shape.Sphere(new Vector(0, 0, 0), 1,
                         new Material(second.ambient(), second.diffuse(), second.specular(), -1))), shapes);
@@ -92,7 +95,7 @@ class SceneParserTest {
                 """);
         Material red = new Material(Colour.BLACK, new Colour(1, 0, 0), Colour.BLACK, 1);
         assertEquals(List.of(
-                new Shape.Triangles(0, 2, Material.DEFAULT),
+                new Shape.Triangles(0, 2, DEFAULT),
                 new Shape.Triangles(2, 1, red),
                 new Shape.Sphere(new Vector(0, 0, 0), 1, red),
                 new Shape.Triangles(3, 1, red)), scene.shapes());

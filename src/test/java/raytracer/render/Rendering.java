@@ -10,6 +10,6 @@ public final class Rendering {
 
     /** One sample a pixel. */
     public static Renderer of(Tracer tracer, int threads, Image image) {
-        return new Renderer(tracer, Sampling.CENTRES, threads, Region.whole(image.width(), image.height()), image);
+        return new Renderer(tracer, Sampling.CENTRES, threads, Region.whole(image.toBufferedImage().getWidth(), image.toBufferedImage().getHeight()), image);
     }
 }

@@ -18,6 +18,7 @@ import raytracer.parser.Scenes;
 import raytracer.render.Region;
 import raytracer.render.Renderer;
 import raytracer.render.Sampling;
+import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
@@ -137,7 +138,7 @@ class LawsTest {
         List<Shape.Sphere> spheres = new ArrayList<>();
         for (int i = 0; i < 500; i++) {
             spheres.add(new Shape.Sphere(new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)),
-                    .05 + random.nextDouble() / 10, Material.DEFAULT));
+                    .05 + random.nextDouble() / 10, new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1)));
         }
         Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Bvh.LEAF_SIZE);
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();

@@ -58,9 +58,6 @@ public final class BvhBuilder {
     /** Brings the primitives that are too wide to the front; all or, if there are too many of them, none. */
     private static int setAside(int[] order, int from, Bounds bounds, Extent extent) {
         double tooWide = TOO_WIDE * Extent.width(extent.box());
-        if (extent.widest() <= tooWide) {
-            return from;
-        }
         double[] box = new double[6];
         int wide = from;
         for (int i = from; i < order.length; i++) {

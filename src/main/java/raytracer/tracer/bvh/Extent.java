@@ -1,16 +1,15 @@
 package raytracer.tracer.bvh;
 
 /**
- * The box around numbered primitives, and how wide the widest of them is.
+ * The box around numbered primitives.
  *
- * @param box    least x, y, z, then greatest x, y, z; with no primitives, from infinity to negative infinity
- * @param widest the greatest of any primitive's lengths
+ * @param box least x, y, z, then greatest x, y, z; with no primitives, from infinity to negative infinity
  */
-record Extent(double[] box, double widest) {
+record Extent(double[] box) {
 
     /** Of the primitives from one place in an order on. */
     static Extent of(int[] order, int from, Bounds bounds) {
-        double inf = Double.POSITIVE_INFINITY, widest = 0;
+        double inf = Double.POSITIVE_INFINITY;
         double[] all = {inf, inf, inf, -inf, -inf, -inf};
         double[] box = new double[6];
         for (int i = from; i < order.length; i++) {
@@ -19,9 +18,8 @@ record Extent(double[] box, double widest) {
                 all[axis] = Math.min(all[axis], box[axis]);
                 all[axis + 3] = Math.max(all[axis + 3], box[axis + 3]);
             }
-            widest = Math.max(widest, width(box));
         }
-        return new Extent(all, widest);
+        return new Extent(all);
     }
 
     /** The greatest of a box's three lengths. */

@@ -49,7 +49,7 @@ class AnyHitTest {
     private Surfaces spheres() {
         List<Shape.Sphere> spheres = new ArrayList<>();
         for (int k = 0; k < COUNT; k++) {
-            spheres.add(new Shape.Sphere(within(1), .06 * (.1 + random.nextDouble()), Material.DEFAULT));
+            spheres.add(new Shape.Sphere(within(1), .06 * (.1 + random.nextDouble()), new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1)));
         }
         Bvh bvh = BvhBuilder.build(COUNT, new SphereBounds(spheres), Spheres.LEAF_SIZE);
         return new Spheres(Arrays.stream(bvh.order()).mapToObj(spheres::get).toList(), 0, bvh);
