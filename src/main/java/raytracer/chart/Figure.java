@@ -97,16 +97,20 @@ public final class Figure {
         String size = "width='" + w + "' height='" + h + "'";
         StringBuilder svg = new StringBuilder("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + w + " " + h
                 + "' " + size + ">\n" + STYLE + "<rect class='page' " + size + "/>\n"
-                + "<text class='heading' x='" + MARGIN + "' y='27' style='font-size:"
-                + Math.min(FONT_SIZE, (int) ((w - 2 * MARGIN) / (Labels.WIDTH * heading.length()))) + "px'>" + heading
-                + "</text>\n");
+                + line("heading", 27, FONT_SIZE, heading, w));
         for (int i = 0; i < panels.size(); i++) {
             svg.append("<g transform='translate(").append(i % columns * width).append(' ')
                     .append(HEAD + i / columns * height).append(")'>\n").append(panels.get(i).svg(width, height))
                     .append("</g>\n");
         }
         svg.append("<g transform='translate(0 ").append(h - 24).append(")'>\n").append(legend).append("</g>\n");
-        svg.append("<text class='foot' x='14' y='").append(h - 8).append("'>").append(foot).append("</text>\n</svg>\n");
-        return svg.toString();
+        return svg.append(line("foot", h - 8, SMALL, foot, w)).append("</svg>\n").toString();
+    }
+
+    /** A line across the figure, in so small a font that it fits. */
+    private static String line(String style, int y, int fontSize, String text, int width) {
+        int fitting = Math.min(fontSize, (int) ((width - 2 * MARGIN) / (Labels.WIDTH * text.length())));
+        return String.format(Locale.ROOT, "<text class='%s' x='%d' y='%d' style='font-size:%dpx'>%s</text>\n", style, MARGIN,
+                y, fitting, text);
     }
 }

@@ -219,10 +219,10 @@ final class ChartJob {
         Setting told = best != null ? best
                 : settings.stream().min((a, b) -> Double.compare(a.error, b.error)).orElseThrow();
         return String.format(Locale.ROOT, best != null
-                ? "The cheapest setting measured with an RMSE below 1/255 of the whole picture is %s: RMSE %.5f in %.0f ms;"
-                        + " single pixels differ by up to %.0f of 255."
-                : "No setting measured has an RMSE below 1/255 of the whole picture; the closest is %s: RMSE %.5f in %.0f"
-                        + " ms; single pixels differ by up to %.0f of 255.",
+                ? "Cheapest measured with an RMSE below 1/255 over the picture: %s, RMSE %.5f in %.0f ms; single pixels differ"
+                        + " by up to %.0f of 255."
+                : "None measured has an RMSE below 1/255 over the picture; closest: %s, RMSE %.5f in %.0f ms; single pixels"
+                        + " differ by up to %.0f of 255.",
                 told.arguments, told.error, told.median(), 255 * told.maxDifference);
     }
 

@@ -194,7 +194,7 @@ class EverydayTest extends CommandLine {
     void chartsTimeAgainstErrorAndNamesASetting() throws IOException {
         Path chart = folder.resolve("c.svg");
         assertEquals(0, run(scene, "--chart", chart.toString(), "--chart-seconds", "3", "--quiet"), err());
-        assertTrue(out().startsWith("The cheapest setting measured with an RMSE below 1/255 of the whole picture is --samples "), out());
+        assertTrue(out().startsWith("Cheapest measured with an RMSE below 1/255 over the picture: --samples "), out());
         List<String> table = Files.readAllLines(folder.resolve("c.csv"));
         assertEquals("setting,median ms,lower quartile,upper quartile,rounds,rmse", table.get(1));
         assertTrue(table.stream().anyMatch(line -> line.startsWith("--samples 4 --maxdepth 2,")));
