@@ -252,6 +252,6 @@ final class KernelCharts {
     private static String withoutAnswer(Judged judged) {
         List<String> names = IntStream.range(0, judged.methods.size())
                 .filter(k -> Double.isNaN(judged.verdicts.get(k).p999())).mapToObj(k -> judged.methods.get(k).name).toList();
-        return names.isEmpty() ? "" : "; mostly without an answer: " + String.join("; ", names);
+        return names.isEmpty() ? "" : "; no answer: " + String.join("; ", names);
     }
 }
