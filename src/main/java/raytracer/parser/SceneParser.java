@@ -130,6 +130,7 @@ public final class SceneParser {
 
     // No table of lambdas: the first few that a program makes take longer than reading a small scene.
     private void apply(Command command, Operands o) throws Operands.Rejected {
+        Material m = shapes.material();
         switch (command) {
             case SIZE -> {
                 once(command, o);
@@ -139,10 +140,10 @@ public final class SceneParser {
             case CAMERA -> camera(o);
             case OUTPUT -> output(o);
             case MAXDEPTH -> maxDepth = once(command, o).whole(0, 1, MAX);
-            case AMBIENT -> shapes.ambient = coloured(o.colour(0));
-            case DIFFUSE -> shapes.diffuse = coloured(o.colour(0));
-            case SPECULAR -> shapes.specular = o.colour(0);
-            case SHININESS -> shapes.shininess = o.number(0);
+            case AMBIENT -> shapes.material(new Material(coloured(o.colour(0)), m.diffuse(), m.specular(), m.shininess()));
+            case DIFFUSE -> shapes.material(new Material(m.ambient(), coloured(o.colour(0)), m.specular(), m.shininess()));
+            case SPECULAR -> shapes.material(new Material(m.ambient(), m.diffuse(), o.colour(0), m.shininess()));
+            case SHININESS -> shapes.material(new Material(m.ambient(), m.diffuse(), m.specular(), o.number(0)));
             case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
             case POINT -> lights.add(new Light.Point(o.point(0), o.colour(3)));
             case MAXVERTS -> maxVertices = once(command, o).whole(0, 0, MAX);

@@ -16,14 +16,7 @@ final class ShapeList {
 
     private final List<Shape> shapes = new ArrayList<>();
     private final Mesh.Builder mesh = new Mesh.Builder();
-
-    // In force, each from its command on.
-    Colour ambient = Colour.BLACK;
-    Colour diffuse = Colour.BLACK;
-    Colour specular = Colour.BLACK;
-    double shininess = 1;
-
-    private Material current;
+    private Material current = new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1);
     private int runStart;
     private Material runMaterial;
 
@@ -82,10 +75,12 @@ final class ShapeList {
 
     /** What a shape is made of that is declared now: the same object for as long as no value changes. */
     Material material() {
-        Material now = new Material(ambient, diffuse, specular, shininess);
+        return current;
+    }
+
+    void material(Material now) {
         if (!now.equals(current)) {
             current = now;
         }
-        return current;
     }
 }

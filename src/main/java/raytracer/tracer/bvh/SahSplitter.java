@@ -55,14 +55,20 @@ final class SahSplitter {
     }
 
     Range range(int from, int to) {
-        float[] box = emptyBox(), centres = emptyBox();
-        for (int i = 6 * from; i < 6 * to; i += 6) {
-            extend(box, boxes, i);
-            for (int side = 0; side < 3; side++) {
-                float centre = boxes[i + side] + boxes[i + side + 3];
-                centres[side] = Math.min(centres[side], centre);
-                centres[side + 3] = Math.max(centres[side + 3], centre);
+        float[] box = new float[6], centres = new float[6];
+        for (int side = 0; side < 3; side++) {
+            float low = Float.POSITIVE_INFINITY, high = -low, lowCentre = low, highCentre = high;
+            for (int i = 6 * from + side; i < 6 * to; i += 6) {
+                float min = boxes[i], max = boxes[i + 3], centre = min + max;
+                low = min < low ? min : low;
+                high = max > high ? max : high;
+                lowCentre = centre < lowCentre ? centre : lowCentre;
+                highCentre = centre > highCentre ? centre : highCentre;
             }
+            box[side] = low;
+            box[side + 3] = high;
+            centres[side] = lowCentre;
+            centres[side + 3] = highCentre;
         }
         return new Range(from, to, box, centres);
     }
