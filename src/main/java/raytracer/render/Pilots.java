@@ -45,7 +45,7 @@ final class Pilots {
         this.error = error;
         tiles = new Tiles(Region.whole(tracer.width(), tracer.height()));
         stride = (int) ((tiles.count() + MAX_TILES - 1) / MAX_TILES);
-        perTile = (int) Math.max(PER_TILE, MIN_COUNT / tiles.count());
+        perTile = (int) Math.min(TILE_PIXELS, Math.max(PER_TILE, MIN_COUNT / tiles.count()));
         byTile = new SampleBudget.Pilot[(int) ((tiles.count() + stride - 1) / stride)][];
     }
 
@@ -57,6 +57,7 @@ final class Pilots {
 
     /** Whether so many samples of every pixel take so long that it is worth while to know more. */
     boolean areCoarse(int samples) {
+        // Four and sixteen times as many samples of each pilot as few, spread over all pixels.
         double next = 20.0 * few() * perTile / TILE_PIXELS / stride;
         return round + 1 < MAX_ROUNDS && next < MAX_PART * samples;
     }

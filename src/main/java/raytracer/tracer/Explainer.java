@@ -11,21 +11,21 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /** Says how a pixel gets its colour: traces its ray in a batch of its own, and takes note of each step. */
 public final class Explainer {
 
-    private final Tracer scene;
+    private final Tracer compiled;
     private final TileTracer tracer;
     private final Rays rays;
     private final Workspace workspace;
     private final Rays towardsLight = new Rays();
 
-    Explainer(Tracer scene) {
-        this.scene = scene;
-        tracer = new TileTracer(scene);
+    Explainer(Tracer compiled) {
+        this.compiled = compiled;
+        tracer = new TileTracer(compiled);
         rays = tracer.rays;
         workspace = tracer.workspace;
     }
@@ -87,27 +87,27 @@ public final class Explainer {
         collect(rays, (surface, t, error) -> farthest[0] += surface == seen ? Rounding.tie(error, t) : 0);
         collect(rays, (surface, t, error) -> {
             if (surface != seen && t - Rounding.tie(error, t) <= farthest[0]) {
-                numbers.add(scene.table().declared()[surface]);
+                numbers.add(compiled.table().declared()[surface]);
             }
         });
         return numbers;
     }
 
     private void collect(Rays from, Candidates candidates) {
-        for (Surfaces kind : scene.surfaces()) {
+        for (Surfaces kind : compiled.surfaces()) {
             kind.collect(from, 0, candidates, workspace);
         }
     }
 
     private Hit hit() {
         int surface = rays.hit[0];
-        return new Hit(scene.table().declared()[surface], rays.distance[0], rays.origin.get(0), rays.normal.get(0),
-                scene.table().materials()[scene.table().materialIndex()[surface]]);
+        return new Hit(compiled.table().declared()[surface], rays.distance[0], rays.origin.get(0), rays.normal.get(0),
+                compiled.table().materials()[compiled.table().materialIndex()[surface]]);
     }
 
     private List<Lit> lights(Material material) {
         return material.diffuse().isBlack() && material.specular().isBlack() ? List.of()
-                : scene.lights().stream().map(light -> lit(light, material)).toList();
+                : compiled.lights().stream().map(light -> lit(light, material)).toList();
     }
 
     private Lit lit(LightSource light, Material material) {
@@ -125,7 +125,7 @@ public final class Explainer {
     }
 
     private Shading shade(LightSource light, Material material) {
-        Shading shading = new Shading(scene.surfaces(), List.of(light), rays, workspace);
+        Shading shading = new Shading(compiled.surfaces(), List.of(light), rays, workspace);
         shading.shade(0, 1, material);
         return shading;
     }
@@ -141,7 +141,7 @@ public final class Explainer {
         double[] blockedAt = {shadows.distance[0]};
         collect(towardsLight, (surface, t, error) -> {
             if (t < blockedAt[0]) {
-                blocker[0] = scene.table().declared()[surface];
+                blocker[0] = compiled.table().declared()[surface];
                 blockedAt[0] = t;
             }
         });

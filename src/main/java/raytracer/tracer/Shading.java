@@ -10,8 +10,8 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.Search;
-import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
 final class Shading {

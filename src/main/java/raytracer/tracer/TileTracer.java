@@ -9,9 +9,9 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 import raytracer.tracer.search.ClosestHit;
 import raytracer.tracer.search.Search;
-import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.search.Ties;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /**
  * Traces tiles, one after the other, for one thread. All of a tile's rays take each step together: they find the

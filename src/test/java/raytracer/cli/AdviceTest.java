@@ -30,6 +30,7 @@ class AdviceTest extends CommandLine {
         "diffuse 1 1 1;point 1 2 3 1 1 1;maxverts 3;vertex 0 0 0;vertex 0 1 0;vertex 1 0 0;tri 0 1 2"
                 + "| the triangles that are seen show their backs, from where their corners go clockwise",
         "diffuse 1 1 1;point 1 2 -30 1 1 1;sphere 0 0 0 1| all lights are behind the surfaces that are seen, or blocked",
+        "diffuse 1 1 1;point 1 2 60 1 1 1;sphere 0 0 0 50| all lights are behind the surfaces that are seen, or blocked",
         "diffuse 1 1 1;sphere 0 0 0 1| there is no light and no ambient colour",
         "diffuse 1 1 1;point 1 2 3 1 1 1;sphere 0 0 900 1;plane 0 0 600 0 0 3| the camera sees nothing",
         "diffuse 1 1 1;point 1 2 3 1 1 1;sphere 8 8 0 1| the camera sees nothing"})

@@ -53,6 +53,7 @@ class CompareTest extends CommandLine {
         assertEquals(0, run(one, "--compare", one));
         assertEquals(3, run(two, "--compare", one, "--diff", folder.resolve("d.png").toString()));
         assertTrue(out().contains("1 of 108 pixels differ from " + one + ", by at most 7 of 255 at (3, 2)"), out());
+        assertFalse(err().contains("--explain"), "of no scene: " + err());
         assertTrue(Files.exists(folder.resolve("d.png")));
         assertFalse(Files.exists(folder.resolve("two-diff.png")));
     }

@@ -162,6 +162,14 @@ class SamplingTest {
     }
 
     @Test
+    void ofPilotsAreNoMoreThanOfAllPixelsInASmallPicture() throws Exception {
+        Scene scene = Scenes.parse("size 16 16\ncamera 0 0 5 0 0 0 0 1 0 45\nambient .2 .4 .6\nplane 0 0 0 0 0 1\n").scene();
+        RayCounts[] counts = new RayCounts[1];
+        render(scene, new Sampling.Within(.3), counts);
+        assertTrue(counts[0].primary() <= 21 * 16 * 16, counts[0].primary() + " rays");
+    }
+
+    @Test
     void areMirroredAndTheirAxesExchangedInSomePixels() throws Exception {
         // Six samples of a pixel: four in two of its quarters and two in the others, or the other way round.
         assertEquals(Set.of(2L, 4L), samplesThatMeet("0 0 .5 .5", "0.5 0.5 1 1"));

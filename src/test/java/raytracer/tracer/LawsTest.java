@@ -28,8 +28,8 @@ import raytracer.tracer.primitive.SphereBounds;
 import raytracer.tracer.primitive.Spheres;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.ClosestHit;
-import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /** Laws that hold for every scene, whatever its picture is. */
 @DisplayName("A picture")

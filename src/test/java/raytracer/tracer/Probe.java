@@ -11,10 +11,10 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.ClosestHit;
-import raytracer.tracer.surface.Workspace;
 import raytracer.tracer.search.Ties;
 import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
+import raytracer.tracer.surface.Workspace;
 
 /** Shoots single rays at the shapes of a scene that a test writes down. */
 public final class Probe {
