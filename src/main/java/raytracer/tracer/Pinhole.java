@@ -5,6 +5,7 @@ import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.rays.CameraAxes;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
 
@@ -13,6 +14,7 @@ final class Pinhole {
 
     private final Scene scene;
     private final Vector eye;
+    private final CameraAxes axes;
 
     // In units of half a pixel, at the distance where the picture has as many of them as pixels. Unlike a pixel's
     // share of the height, these are whole numbers if the camera looks along an axis and its field of view is 90.
@@ -24,13 +26,13 @@ final class Pinhole {
         this.scene = scene;
         Camera camera = scene.camera();
         eye = camera.eye();
-        Vector toEye = camera.backward();
+        axes = CameraAxes.of(camera);
         // StrictMath, so that every Java version and machine aims alike. 90 degrees are the one field of view whose
         // tangent is rational (Niven 1956), so that rays can hit edges exactly; radians would miss it by a bit.
         double halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
-        right = camera.right().times(halfHeight);
-        up = toEye.cross(camera.right()).times(halfHeight);
-        backward = toEye.times(scene.height());
+        right = axes.right().times(halfHeight);
+        up = axes.up().times(halfHeight);
+        backward = axes.backward().times(scene.height());
     }
 
     /** The same view in a picture so many times as wide and as high. */
@@ -60,6 +62,7 @@ final class Pinhole {
             rays.dz[i] = a * rz + b * uz - bz;
         }
         // Nothing is hit yet: the distances have room for the lengths.
+        rays.axes = axes;
         rays.direction.normalise(rays.distance, 0, to);
         Arrays.fill(rays.directionError, 0, to, Rounding.EYE_DIRECTION);
         Arrays.fill(rays.ox, 0, to, eye.x());

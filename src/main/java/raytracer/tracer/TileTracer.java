@@ -29,6 +29,7 @@ public final class TileTracer {
 
     private final Tracer tracer;
     private final Material[] materials;
+    private final FaintestWeight faintest;
 
     final Workspace workspace = new Workspace();
     final Rays rays = new Rays();
@@ -51,6 +52,7 @@ public final class TileTracer {
         this.tracer = tracer;
         List<Surfaces> surfaces = tracer.surfaces();
         materials = tracer.table().materials();
+        faintest = FaintestWeight.of(tracer);
         ties = new Ties(tracer.table().declared(), surfaces, rays, workspace);
         groups = new ShadingGroups(tracer.table());
         closestHit = surfaces.stream().map(kind -> ClosestHit.among(kind, rays, workspace)).toArray(Search[]::new);
@@ -179,8 +181,8 @@ public final class TileTracer {
 
     private boolean canChange(int i) {
         int p = rays.pixel[i];
-        return rays.red[i] > 0 && samples.red[p] < 1 || rays.green[i] > 0 && samples.green[p] < 1
-                || rays.blue[i] > 0 && samples.blue[p] < 1;
+        return faintest.canChange(rays.red[i], samples.red[p], rays.green[i], samples.green[p], rays.blue[i],
+                samples.blue[p]);
     }
 
     /** A product in which nothing of something infinite is nothing: an infinite highlight, a black component. */

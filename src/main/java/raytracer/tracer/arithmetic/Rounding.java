@@ -26,6 +26,16 @@ public final class Rounding {
      */
     private static final double MAX_TIE = 0x1p-22;
 
+    /**
+     * Relative to the distance: a point is not taken to be off by more along the ray that came there. Only rays that graze
+     * by less than 1e-4 could be, and along what they graze a bound that is too wide is as wrong as one too narrow: this is
+     * 1e-7 of a pixel, of 1,000 in a view of 10 degrees. How far they are off what they graze is kept apart.
+     */
+    private static final double MAX_SLIDE = 0x1p-36;
+
+    /** A mirror is not taken to turn a ray by more than this beside its true way, as the limb of a sphere does. */
+    private static final double MAX_TURN = 0x1p-24;
+
     /** Bounds the error of each coordinate of a ray from the eye: scaled basis, products, sums and normalising. */
     public static final double EYE_DIRECTION = 5 * U;
 
@@ -58,6 +68,16 @@ public final class Rounding {
     }
 
     /**
+     * Bounds the error of direction . normal of a ray from the eye, by its terms: less than {@link #cosine} where these are
+     * small, as for a ray along a floor that is level.
+     *
+     * @param terms the sum over all coordinates of the magnitudes that direction and normal are sums of, multiplied
+     */
+    public static double eyeCosine(double terms) {
+        return (EYE_DIRECTION + 4 * U) * terms;
+    }
+
+    /**
      * Bounds the error of the distance at which a ray hits a plane: that of the offset, and the distance times that of
      * the cosine, both divided by the cosine.
      */
@@ -79,6 +99,25 @@ public final class Rounding {
     }
 
     /**
+     * Bounds how far off a plane is a point where a ray has hit it, which is that over the cosine along the ray.
+     *
+     * @param products as for {@link #planeOffset}
+     */
+    public static double planeSink(double products, double distance) {
+        return planeOffset(0, products) + distance * cosine(EYE_DIRECTION);
+    }
+
+    /** A bound on how far off a point is along the ray that came there, as far as it is granted. */
+    public static double slide(double bound, double distance) {
+        return Math.min(bound, MAX_SLIDE * distance);
+    }
+
+    /** Bounds the error that a mirror adds to each coordinate of a direction, as far as it is granted. */
+    public static double turn(double normalError) {
+        return Math.min(4 * normalError, MAX_TURN) + 4 * U;
+    }
+
+    /**
      * Bounds the error of direction . (edge x (a + b)), a and b being the edge's ends seen from the origin: the ends
      * round by u and the sum by 2u of their distance, products and sums by 6u of theirs times the edge, all of it twice
      * at most; where the ray is off by some length, the result is by that times twice the edge.
@@ -88,6 +127,18 @@ public final class Rounding {
      */
     public static double edge(double originError, double directionError, double l1Norm, double edge) {
         return edge * (24 * U * l1Norm + 2 * (originError + DIAGONAL * directionError * l1Norm));
+    }
+
+    /**
+     * Bounds the error of the same number of a ray from the eye, by its terms: edge and sum are off by 2u of the sums of
+     * both ends' magnitudes, their products by 5u, a difference of two by 6u, times the direction by 12u, and the sum of
+     * three by 14u of its terms, which are two for each coordinate.
+     *
+     * @param terms the sum over all coordinates of the magnitudes that the direction is the sum of, times those of both
+     *              ends along the other two axes
+     */
+    public static double eyeEdge(double terms) {
+        return 32 * U * terms;
     }
 
     /**

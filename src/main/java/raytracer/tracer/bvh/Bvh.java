@@ -44,15 +44,26 @@ public record Bvh(int[] order, int oversized, float[] nodes, int root, TreeSpace
      * By how much each box is larger than what it holds, on every side, in tree space. With v = 2^-24, floats' unit
      * roundoff, and coordinates up to 1: a corner rounds by v, an origin by v, the origin times the reciprocal of the
      * direction by 2v, the distance to the plane through the box's middle by 2v, and the slab distances, at most
-     * 2 sqrt 3, by 2v of themselves: 13v in all. The rest, 5v, keeps a box in reach whose hit would tie with the
-     * nearest (a bound on rounding as in Ize, Robust BVH Ray Traversal, JCGT 2013, in which the padding is at the far
-     * distance instead).
+     * 2 sqrt 3, by 2v of themselves: 13v in all. 5v more keep a box in reach whose hit would tie with the nearest (a
+     * bound on rounding as in Ize, Robust BVH Ray Traversal, JCGT 2013, in which the padding is at the far distance
+     * instead); the rest is {@link #ROOM}.
      */
-    public static final float PADDING = 18 * 0x1p-24f;
+    public static final float PADDING = 20 * 0x1p-24f;
+
+    /** How far beside its box a primitive may be hit, for rounding, in tree space. */
+    private static final double ROOM = 2 * 0x1p-24;
 
     /** So many primitives that are all oversized. */
     public static Bvh withoutTree(int count) {
         return new Bvh(IntStream.range(0, count).toArray(), count, new float[0], EMPTY, new TreeSpace(0, 0, 0, 1));
+    }
+
+    /**
+     * So far beside its box a primitive may be hit, and every search finds it: a ray that is off by more is taken as it
+     * is. Else it would hit or miss by which rays are searched with it. Without a tree there is no limit.
+     */
+    public double room() {
+        return root == EMPTY ? Double.POSITIVE_INFINITY : ROOM / space.scale();
     }
 
     /**

@@ -26,9 +26,19 @@ public final class Planes extends Surfaces {
     @Override
     protected double distance(Rays rays, int i, int k) {
         double offset = offset(rays, i, k), cosine = cosine(rays, i, k), t = offset / cosine;
-        boolean isHit = t > 0 && t <= rays.maxDistance(i) && Math.abs(cosine) > Rounding.cosine(rays.directionError[i])
+        boolean isHit = t > 0 && t <= rays.maxDistance(i) && !isParallel(rays, i, k, cosine)
                 && rays.source[i] != surface(k) && Math.abs(offset) > offsetError(rays, i, k);
         return isHit ? t : Double.NaN;
+    }
+
+    /** Whether rounding hides on which side a ray approaches the plane. */
+    private boolean isParallel(Rays rays, int i, int k, double cosine) {
+        if (Math.abs(cosine) > Rounding.cosine(rays.directionError[i])) {
+            return false;
+        }
+        Vector d = rays.directionTerms(i), n = normal[k];
+        return d == null || Math.abs(cosine)
+                <= Rounding.eyeCosine(d.x() * Math.abs(n.x()) + d.y() * Math.abs(n.y()) + d.z() * Math.abs(n.z()));
     }
 
     @Override

@@ -23,12 +23,16 @@ final class Sphere {
     private final int surface;
     private final double cx, cy, cz, r;
 
-    Sphere(Shape.Sphere sphere, int surface) {
+    /** No rounding counts beyond this: see {@link raytracer.tracer.bvh.Bvh#room}. */
+    private final double maxSquareError;
+
+    Sphere(Shape.Sphere sphere, int surface, double room) {
         this.surface = surface;
         cx = sphere.centre().x();
         cy = sphere.centre().y();
         cz = sphere.centre().z();
         r = sphere.radius();
+        maxSquareError = 2 * r * room;
     }
 
     /** The distance at which a ray hits the sphere; NaN if it does not, or farther away than {@link Rays#maxDistance}. */
@@ -40,7 +44,8 @@ final class Sphere {
         double square = r * r - (ex * ex + ey * ey + ez * ez);
         double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
         double originError = rays.originError[i], directionError = rays.directionError[i];
-        double bound = Rounding.sphereSquare(originError, directionError, l1Norm, r, along);
+        double bound = Math.min(maxSquareError,
+                Rounding.sphereSquare(originError, directionError, l1Norm, r, along));
         if (square < -bound || isClear(square, originError)) {
             return Double.NaN;
         }
@@ -178,7 +183,7 @@ final class Sphere {
         double alongError = Rounding.along(rays.originError[i], 2 * Rounding.U, l1Norm) + rays.slide[i];
         int side = 0;
         if (rays.hit[i] != surface) {
-            double bound = Rounding.sphereSquare(error, 2 * Rounding.U, l1Norm, r, along);
+            double bound = Math.min(maxSquareError, Rounding.sphereSquare(error, 2 * Rounding.U, l1Norm, r, along));
             double slideAlong = x * rays.dx[i] + y * rays.dy[i] + z * rays.dz[i];
             double powerError = Rounding.power(rays.originError[i], r, rays.slide[i], slideAlong);
             double power = PowerOfPoint.of(rays.ox[i], rays.oy[i], rays.oz[i], cx, cy, cz, r);
@@ -244,7 +249,6 @@ final class Sphere {
         double dx = rays.dx[i], dy = rays.dy[i], dz = rays.dz[i];
         double slide = Rounding.sphereSlide(Math.abs(x) + Math.abs(y) + Math.abs(z), r, x * dx + y * dy + z * dz, t);
         double px = rays.ox[i] + t * dx, py = rays.oy[i] + t * dy, pz = rays.oz[i] + t * dz;
-        double error = Rounding.point(t, Math.abs(px) + Math.abs(py) + Math.abs(pz));
         rays.ox[i] = px;
         rays.oy[i] = py;
         rays.oz[i] = pz;
@@ -254,8 +258,13 @@ final class Sphere {
         rays.nx[i] = nx * reciprocal;
         rays.ny[i] = ny * reciprocal;
         rays.nz[i] = nz * reciprocal;
-        rays.slide[i] = slide;
+        double granted = Rounding.slide(slide, t);
+        // What slides farther leaves the sphere, by the cosine and by how much it is bent there.
+        double cosine = Math.abs(dx * rays.nx[i] + dy * rays.ny[i] + dz * rays.nz[i]);
+        double error = Rounding.point(t, Math.abs(px) + Math.abs(py) + Math.abs(pz))
+                + (slide - granted) * (cosine + slide / (2 * r));
+        rays.slide[i] = granted;
         rays.originError[i] = error;
-        rays.normalError[i] = (error + slide) / r + 4 * Rounding.U;
+        rays.normalError[i] = (error + granted) / r + 4 * Rounding.U;
     }
 }

@@ -21,7 +21,7 @@ public final class Spheres extends Surfaces {
         super("spheres", firstSurface, bvh);
         spheres = new Sphere[inOrder.size()];
         for (int k = 0; k < spheres.length; k++) {
-            spheres[k] = new Sphere(inOrder.get(k), surface(k));
+            spheres[k] = new Sphere(inOrder.get(k), surface(k), bvh.room());
         }
     }
 

@@ -36,10 +36,12 @@ final class TriangleArray {
     private final int[] order;
     /** By triangle: the unit normal; then |x| + |y| + |z| of two edges, summed: no edge is longer. */
     private final double[] numbers;
+    private final double room;
 
-    TriangleArray(Mesh mesh, int[] order) {
+    TriangleArray(Mesh mesh, Bvh bvh) {
         this.mesh = mesh;
-        this.order = order;
+        order = bvh.order();
+        room = bvh.room();
         numbers = new double[Math.multiplyExact(STRIDE, order.length)];
         for (int k = 0; k < order.length; k++) {
             set(STRIDE * k, mesh.corner(order[k], 0), mesh.corner(order[k], 1), mesh.corner(order[k], 2));
@@ -101,7 +103,7 @@ final class TriangleArray {
      * The distance at which a ray hits a triangle, given that at which it hits its plane; NaN if it misses. A ray
      * that passes all edges on the same side by more than rounding hits. One that rounding cannot tell from an edge
      * does too, if it comes near the triangle: seen edge-on, or beyond the tip of a needle, the edges' sides alone do
-     * not tell. The distance then is one inside the triangle's box, so that no search overlooks it.
+     * not tell. The distance then is one inside the triangle's box, by {@link Bvh#room}, so that every search finds it.
      */
     double within(
             Rays rays, Vectors d, int i, int k, double originError, double directionError, double t) {
@@ -112,18 +114,34 @@ final class TriangleArray {
         double cx = corner(k, 2, 0) - ox, cy = corner(k, 2, 1) - oy, cz = corner(k, 2, 2) - oz;
         double ab = side(ax, ay, az, bx, by, bz, way), bc = side(bx, by, bz, cx, cy, cz, way);
         double ca = side(cx, cy, cz, ax, ay, az, way);
-        double edges = edges(k);
-        double margin = Rounding.edge(
-                originError, directionError, Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges, 1);
-        double bound = edges * margin;
-        if (!(ab >= -bound && bc >= -bound && ca >= -bound || ab <= bound && bc <= bound && ca <= bound)) {
+        double edges = edges(k), l1Norm = Math.abs(ax) + Math.abs(ay) + Math.abs(az) + edges;
+        double margin = Math.min(room, Rounding.edge(originError, directionError, l1Norm, 1)), bound = edges * margin;
+        if (!areOnOneSide(ab, bc, ca, bound, bound, bound)) {
+            return Double.NaN;
+        }
+        if (areOnOneSide(ab, bc, ca, -bound, -bound, -bound)) {
+            return t;
+        }
+        Vector terms = d == rays.direction ? rays.directionTerms(i) : null;
+        if (terms != null && !areOnOneSide(ab, bc, ca, Math.min(bound, sideError(terms, ax, ay, az, bx, by, bz)),
+                Math.min(bound, sideError(terms, bx, by, bz, cx, cy, cz)),
+                Math.min(bound, sideError(terms, cx, cy, cz, ax, ay, az)))) {
             return Double.NaN;
         }
         // The sides' sum is the same for all rays that pass within: where it is large, to be on an edge is to be
         // inside.
-        boolean isInBox = Math.abs(ab + bc + ca) > bound / IN_BOX
-                || ab > bound && bc > bound && ca > bound || ab < -bound && bc < -bound && ca < -bound;
-        return isInBox ? t : inBox(rays, d, i, k, margin, t);
+        return Math.abs(ab + bc + ca) > bound / IN_BOX ? t : inBox(rays, d, i, k, margin, t);
+    }
+
+    /** Whether a ray passes all edges on the same side, each within a bound; clearly so, if that is negative. */
+    private static boolean areOnOneSide(double ab, double bc, double ca, double abError, double bcError, double caError) {
+        return ab >= -abError && bc >= -bcError && ca >= -caError || ab <= abError && bc <= bcError && ca <= caError;
+    }
+
+    /** Bounds the error of the side of a ray from the eye, whose direction's terms these are, as {@link #side} has it. */
+    private static double sideError(Vector terms, double ax, double ay, double az, double bx, double by, double bz) {
+        double x = Math.abs(ax) + Math.abs(bx), y = Math.abs(ay) + Math.abs(by), z = Math.abs(az) + Math.abs(bz);
+        return Rounding.eyeEdge(terms.x() * y * z + terms.y() * z * x + terms.z() * x * y);
     }
 
     /**

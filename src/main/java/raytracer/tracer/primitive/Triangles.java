@@ -36,7 +36,7 @@ public final class Triangles extends Surfaces {
     /** @param bvh of all triangles of the mesh */
     public Triangles(Mesh mesh, int firstSurface, Bvh bvh) {
         super("triangles", firstSurface, bvh);
-        data = new TriangleArray(mesh, bvh.order());
+        data = new TriangleArray(mesh, bvh);
         sieve = new TriangleSieve(mesh, bvh);
     }
 
@@ -52,13 +52,20 @@ public final class Triangles extends Surfaces {
         double cosine = rays.dx[i] * nx + rays.dy[i] * ny + rays.dz[i] * nz;
         double t = offset / cosine;
         double limit = rays.maxDistance(i);
-        if (!(t > 0) || t > limit && (Math.abs(cosine) > TriangleArray.GRAZING
-                        || isBeyond(rays, i, ax, ay, az, t - limit, cosine))
-                || Math.abs(cosine) <= Rounding.cosine(rays.directionError[i])) {
+        if (!(t > 0) || t > limit && Math.abs(cosine) > TriangleArray.GRAZING || isParallel(rays, i, k, cosine)) {
             return Double.NaN;
         }
         double within = data.within(rays, rays.direction, i, k, rays.originError[i], rays.directionError[i], t);
         return within <= limit && startsOff(rays, i, k, ax, ay, az, offset) ? within : Double.NaN;
+    }
+
+    /** Whether rounding hides on which side a ray approaches a triangle's plane. */
+    private boolean isParallel(Rays rays, int i, int k, double cosine) {
+        if (Math.abs(cosine) > Rounding.cosine(rays.directionError[i])) {
+            return false;
+        }
+        Vector d = rays.directionTerms(i);
+        return d == null || Math.abs(cosine) <= Rounding.eyeCosine(data.productsOfFar(k, d.x(), d.y(), d.z()));
     }
 
     /** Whether a ray clearly does not start on a triangle's plane, which is off by this as seen from there. */
@@ -68,14 +75,6 @@ public final class Triangles extends Surfaces {
         double error = rays.originError[i] + rays.slide[i] * Math.abs(cosine);
         return Math.abs(offset) > Rounding.planeOffset(error, Math.abs(x) + Math.abs(y) + Math.abs(z))
                 || Math.abs(offset) > Rounding.planeOffset(error, data.productsOfFar(k, x, y, z));
-    }
-
-    /** Whether a distance is too great by more than its error. */
-    private static boolean isBeyond(
-            Rays rays, int i, double ax, double ay, double az, double beyond, double cosine) {
-        double cosineError = Rounding.cosine(rays.directionError[i]);
-        return beyond * (Math.abs(cosine) - cosineError) > rays.maxDistance(i) * cosineError
-                + Rounding.planeOffset(rays.originError[i], Math.abs(ax) + Math.abs(ay) + Math.abs(az));
     }
 
     @Override

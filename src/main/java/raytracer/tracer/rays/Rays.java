@@ -20,6 +20,9 @@ public final class Rays {
     /** Whether all start at the eye: then they have their origin in common, and leave no surface. */
     public boolean leaveEye;
 
+    /** What directions from the eye are the sums of. */
+    public CameraAxes axes;
+
     public final int[] pixel = new int[Batch.CAPACITY];
 
     // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
@@ -110,6 +113,14 @@ public final class Rays {
         return distance[ray] * (1 + Rounding.TIE_SIEVE);
     }
 
+    /**
+     * By coordinate of a direction from the eye, the magnitudes that it is the sum of; null if it does not leave the eye, as
+     * then its error has other sources.
+     */
+    public Vector directionTerms(int ray) {
+        return leaveEye && axes != null ? axes.terms(direction.get(ray)) : null;
+    }
+
     /** Records that a ray hits a surface, at a distance of {@link #maxDistance} at most. */
     public void record(int ray, int surface, double t) {
         if (t >= distance[ray] * (1 - Rounding.TIE_SIEVE)) {
@@ -140,8 +151,10 @@ public final class Rays {
         ox[ray] += t * dx[ray];
         oy[ray] += t * dy[ray];
         oz[ray] += t * dz[ray];
-        slide[ray] = Rounding.planeDistance(0, Rounding.EYE_DIRECTION, products, t, cosine);
-        originError[ray] = Rounding.point(t, Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]));
+        double sink = Rounding.planeSink(products, t), granted = Rounding.slide(sink / Math.abs(cosine), t);
+        slide[ray] = granted;
+        originError[ray] = Rounding.point(t, Math.abs(ox[ray]) + Math.abs(oy[ray]) + Math.abs(oz[ray]))
+                + Math.max(0, sink - granted * Math.abs(cosine));
         nx[ray] = normalX;
         ny[ray] = normalY;
         nz[ray] = normalZ;
@@ -158,7 +171,7 @@ public final class Rays {
             dx[i] = x * reciprocal;
             dy[i] = y * reciprocal;
             dz[i] = z * reciprocal;
-            directionError[i] += 4 * normalError[i] + 4 * Rounding.U;
+            directionError[i] += Rounding.turn(normalError[i]);
             // What slides along the old way slides along the new one, and twice as far as the old one goes down.
             originError[i] += 2 * slide[i] * Math.abs(dx[i] * nx[i] + dy[i] * ny[i] + dz[i] * nz[i]);
         }
