@@ -58,7 +58,19 @@ record Input(String file) {
         if (Files.isDirectory(path())) {
             throw new IOException("expected a scene file, found a directory");
         }
+        if (isStandard() && isStandardInputClosed()) {
+            throw new IOException("standard input is closed");
+        }
         return isStandard() ? System.in : Files.newInputStream(path());
+    }
+
+    /** If so, the first file that Java opens for itself takes its number, and would be read for it. */
+    private static boolean isStandardInputClosed() {
+        try {
+            return Path.of("/proc/self/fd/0").toRealPath().startsWith(Path.of(System.getProperty("java.home")).toRealPath());
+        } catch (IOException e) {
+            return false;
+        }
     }
 
     private IOException unreadable(IOException e) {

@@ -27,7 +27,6 @@ final class Pilots {
     /** Of a huge picture, only so many tiles have pilots. */
     private static final int MAX_TILES = 4096;
 
-    private static final int TILE_PIXELS = Tracer.TILE_SIDE * Tracer.TILE_SIDE;
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
 
     private final Tracer tracer;
@@ -43,9 +42,9 @@ final class Pilots {
     Pilots(Tracer tracer, double error) {
         this.tracer = tracer;
         this.error = error;
-        tiles = new Tiles(Region.whole(tracer.width(), tracer.height()));
+        tiles = Tiles.of(Region.whole(tracer.width(), tracer.height()));
         stride = (int) ((tiles.count() + MAX_TILES - 1) / MAX_TILES);
-        perTile = (int) Math.min(TILE_PIXELS, Math.max(PER_TILE, MIN_COUNT / tiles.count()));
+        perTile = (int) Math.min(Tiles.CAPACITY, Math.max(PER_TILE, MIN_COUNT / tiles.count()));
         byTile = new SampleBudget.Pilot[(int) ((tiles.count() + stride - 1) / stride)][];
     }
 
@@ -58,7 +57,7 @@ final class Pilots {
     /** Whether so many samples of every pixel take so long that it is worth while to know more. */
     boolean areCoarse(int samples) {
         // Four and sixteen times as many samples of each pilot as few, spread over all pixels.
-        double next = 20.0 * few() * perTile / TILE_PIXELS / stride;
+        double next = 20.0 * few() * perTile / Tiles.CAPACITY / stride;
         return round + 1 < MAX_ROUNDS && next < MAX_PART * samples;
     }
 
@@ -77,7 +76,7 @@ final class Pilots {
     }
 
     private SampleBudget.Pilot[] sample(long tile, SampleQueue queue) {
-        int count = Math.max(1, perTile * tiles.get(tile).pixels() / TILE_PIXELS);
+        int count = Math.max(1, perTile * tiles.get(tile).pixels() / Tiles.CAPACITY);
         PixelMeans coarse = means(tile, count, few(), queue), fine = means(tile, count, 4 * few(), queue);
         SampleBudget.Pilot[] pilots = new SampleBudget.Pilot[count];
         Arrays.setAll(pilots, i -> new SampleBudget.Pilot(

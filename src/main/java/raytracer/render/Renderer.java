@@ -39,7 +39,7 @@ public final class Renderer {
         this.threads = threads;
         this.sink = sink;
         this.region = region;
-        tiles = new Tiles(region);
+        tiles = Tiles.of(region);
     }
 
     /** Renders all of the region; returns when it is done. */

@@ -3,19 +3,30 @@ package raytracer.render;
 import java.util.concurrent.atomic.AtomicLong;
 import raytracer.tracer.Tracer;
 
-/** The squares into which a region is cut, row by row from its top left corner; threads take one after the other. */
-record Tiles(Region region, AtomicLong next) {
+/**
+ * The parts into which a region is cut, row by row from its top left corner; threads take one after the other. They are
+ * squares, but longer where the region is narrower than a square's side, so that as many pixels are traced together.
+ *
+ * @param columns of a tile
+ * @param rows    of a tile
+ */
+record Tiles(Region region, int columns, int rows, AtomicLong next) {
 
-    Tiles(Region region) {
-        this(region, new AtomicLong());
+    /** The most pixels of a tile. */
+    static final int CAPACITY = Tracer.TILE_SIDE * Tracer.TILE_SIDE;
+
+    static Tiles of(Region region) {
+        int columns = region.height() < Tracer.TILE_SIDE ? CAPACITY / region.height() : Tracer.TILE_SIDE;
+        int rows = region.width() < Tracer.TILE_SIDE ? CAPACITY / region.width() : Tracer.TILE_SIDE;
+        return new Tiles(region, columns, rows, new AtomicLong());
     }
 
-    private static long along(int pixels) {
-        return (pixels + Tracer.TILE_SIDE - 1L) / Tracer.TILE_SIDE;
+    private long across() {
+        return (region.width() + columns - 1L) / columns;
     }
 
     long count() {
-        return along(region.width()) * along(region.height());
+        return across() * ((region.height() + rows - 1L) / rows);
     }
 
     /** The next tile that nobody has; {@code count} or more if there is none. */
@@ -24,9 +35,8 @@ record Tiles(Region region, AtomicLong next) {
     }
 
     Region get(long tile) {
-        long across = along(region.width());
-        int left = Tracer.TILE_SIDE * (int) (tile % across), top = Tracer.TILE_SIDE * (int) (tile / across);
-        return new Region(region.x() + left, region.y() + top, Math.min(Tracer.TILE_SIDE, region.width() - left),
-                Math.min(Tracer.TILE_SIDE, region.height() - top));
+        int left = columns * (int) (tile % across()), top = rows * (int) (tile / across());
+        return new Region(region.x() + left, region.y() + top, Math.min(columns, region.width() - left),
+                Math.min(rows, region.height() - top));
     }
 }
