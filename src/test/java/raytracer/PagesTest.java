@@ -11,11 +11,10 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-@DisplayName("A page")
+/** A page. */
 class PagesTest {
 
     private static final Path MAIN = Path.of("src/main/java/raytracer"), TESTS = Path.of("src/test/java/raytracer");

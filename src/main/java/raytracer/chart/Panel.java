@@ -3,10 +3,11 @@ package raytracer.chart;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * One log-log diagram: labelled points, their Pareto front (less is better on both axes: none on it is beaten on both),
+ * One log-log diagram: numbered points, their Pareto front (less is better on both axes: none on it is beaten on both),
  * and a band at the foot for results that cannot be told from none.
  */
 public final class Panel {
@@ -16,95 +17,91 @@ public final class Panel {
     private static final int BOTTOM = 46;
     private static final int RIGHT = 22;
 
+    /** Between the frame and the nearest points: room for their dots. */
+    private static final int INSET = 12;
+
+    /** From one dot to the next where several would lie on one another. */
+    private static final int APART = 15;
+
     /** Ticks of the x and y axis that are nearer to one another than this are not both named. */
     private static final int TICK_WIDTH = 34;
     private static final int TICK_HEIGHT = 13;
 
-    /** A note's font and the distance to the next one. */
-    private static final int SMALL = 10;
-    private static final int LINE = 12;
-
-    /** @param low and high the quartiles of x */
-    private record Point(String label, int series, double x, double low, double high, double y) { }
-
-    private record Line(double y, String label) { }
+    /** @param low and high the ends of the bar along x */
+    private record Point(String name, int series, double x, double low, double high, double y) { }
 
     private final String title;
     private final String xLabel;
     private final String yLabel;
-    private final double limit;
-    private final String limitLabel;
+    private final double band;
     private final List<Point> points = new ArrayList<>();
-    private final List<Line> lines = new ArrayList<>();
+    private final List<Double> limits = new ArrayList<>();
 
-    /**
-     * @param limit      the top of the band at the foot, at which zeros are drawn; 0 for no band and no zeros
-     * @param limitLabel what the band says
-     */
-    public Panel(String title, String xLabel, String yLabel, double limit, String limitLabel) {
+    /** @param band the top of the band at the foot, in which zeros are drawn; 0 for no band and no zeros */
+    public Panel(String title, String xLabel, String yLabel, double band) {
         this.title = title;
         this.xLabel = xLabel;
         this.yLabel = yLabel;
-        this.limit = limit;
-        this.limitLabel = limitLabel;
+        this.band = band;
     }
 
-    /** Draws a line at a height, and what it means. */
-    public void line(double y, String label) {
-        lines.add(new Line(y, label));
+    /** Draws a line at a height. */
+    public void limit(double y) {
+        limits.add(y);
     }
 
-    public void point(String label, int series, double x, double low, double high, double y) {
-        points.add(new Point(label, series, x, low, high, y));
+    public void point(String name, int series, double x, double low, double high, double y) {
+        points.add(new Point(name, series, x, low, high, y));
     }
 
-    /** The diagram as SVG elements in a box of this size. */
-    String svg(int width, int height) {
-        return new Drawing(width, height).draw();
+    /** Adds the names of all points, each with its series. */
+    void names(Map<String, Integer> seriesOf) {
+        points.forEach(p -> seriesOf.putIfAbsent(p.name, p.series));
+    }
+
+    /** The diagram as SVG elements in a box of this size; a point's number is its name's place, from 1. */
+    String svg(int width, int height, List<String> names) {
+        return new Drawing(width, height, names).draw();
     }
 
     private final class Drawing {
         private final int width;
         private final int height;
+        private final List<String> names;
         private final Axis xAxis;
         private final Axis yAxis;
-        private final Labels labels;
+        private final List<double[]> dots = new ArrayList<>();
         private final StringBuilder out = new StringBuilder();
 
-        Drawing(int width, int height) {
+        Drawing(int width, int height, List<String> names) {
             this.width = width;
             this.height = height;
+            this.names = names;
             xAxis = Axis.around(points.stream().flatMap(p -> Stream.of(p.low, p.x, p.high)).toList(), 0);
-            yAxis = Axis.around(Stream.concat(points.stream().map(Point::y), lines.stream().map(Line::y)).toList(), limit);
-            labels = new Labels(new Labels.Box(LEFT + 2, TOP, width - 2, height - BOTTOM - 2));
+            yAxis = Axis.around(Stream.concat(points.stream().map(Point::y), limits.stream()).toList(), band);
         }
 
         private double px(double x) {
-            return LEFT + xAxis.at(x) * (width - LEFT - RIGHT);
+            return LEFT + INSET + xAxis.at(x) * (width - LEFT - RIGHT - 2 * INSET);
         }
 
         private double py(double y) {
-            return height - BOTTOM - yAxis.at(y) * (height - TOP - BOTTOM);
+            return height - BOTTOM - INSET - yAxis.at(y) * (height - TOP - BOTTOM - 2 * INSET);
         }
 
         String draw() {
             text(LEFT, 18, "title", "start", title);
-            if (limit > 0) {
-                double top = py(limit);
-                line("<rect class='band' x='%d' y='%.1f' width='%d' height='%.1f'/>", LEFT, top, width - LEFT - RIGHT,
-                        height - BOTTOM - top);
+            if (band > 0) {
+                line("<rect class='band' x='%d' y='%.1f' width='%d' height='%.1f'/>", LEFT, py(band), width - LEFT - RIGHT,
+                        height - BOTTOM - py(band));
             }
             ticks();
             text((LEFT + width - RIGHT) / 2.0, height - 8, "axis", "middle", xLabel);
             line("<text class='axis' text-anchor='middle' transform='translate(13 %.1f) rotate(-90)'>%s</text>",
                     (TOP + height - BOTTOM) / 2.0, yLabel);
             front();
+            limits.forEach(y -> line("<path class='limit' d='M%d %.1f H%d'/>", LEFT, py(y), width - RIGHT));
             points.forEach(this::draw);
-            lines.forEach(this::draw);
-            if (limit > 0) {
-                note(limitLabel, py(limit) + 11);
-            }
-            points.forEach(this::label);
             return out.toString();
         }
 
@@ -131,25 +128,6 @@ public final class Panel {
             return named.stream().allMatch(other -> Math.abs(other - at) >= distance) && named.add(at);
         }
 
-        private void draw(Line at) {
-            double y = py(at.y);
-            line("<path class='limit' d='M%d %.1f H%d'/>", LEFT, y, width - RIGHT);
-            note(at.label, y - 4);
-        }
-
-        /** At the right end, or the left one if something is there; or one of those farther down. */
-        private void note(String note, double baseline) {
-            double length = Labels.WIDTH * SMALL * note.length();
-            for (double y = baseline; y < height - BOTTOM; y += LINE) {
-                for (double x : new double[] {width - RIGHT - 4 - length, LEFT + 4}) {
-                    if (labels.takeIfFree(Labels.Box.of(x, y, note.length(), SMALL))) {
-                        text(x, y, "note", "start", note);
-                        return;
-                    }
-                }
-            }
-        }
-
         /** The points that no other beats on both axes, joined by steps; it ends at the best. */
         private void front() {
             StringBuilder path = new StringBuilder();
@@ -169,25 +147,27 @@ public final class Panel {
             line("<path class='front' d='%s'/>", path);
         }
 
+        /** A dot with its number. Where others are, it is the nearest free place, at the end of a line from the point. */
         private void draw(Point p) {
-            double x = px(p.x), y = py(p.y);
-            if (p.high > p.low) {
-                line("<path class='quartiles s%d' d='M%.1f %.1f H%.1f'/>", p.series, px(p.low), y, px(p.high));
-                labels.take(new Labels.Box(px(p.low), y - 2, px(p.high), y + 2));
+            double x = px(p.x), y = py(p.y), atX = x, atY = y;
+            for (int step = 1; !isFree(atX, atY); step++) {
+                double way = APART * (1 + step / 8), angle = Math.PI / 4 * (step % 8);
+                atX = x + way * Math.sin(angle);
+                atY = y - way * Math.cos(angle);
             }
-            line("<circle class='s%d' cx='%.1f' cy='%.1f' r='4.5'/>", p.series, x, y);
-            labels.take(new Labels.Box(x - 6, y - 6, x + 6, y + 6));
+            dots.add(new double[] {atX, atY});
+            if (p.high > p.low) {
+                line("<path class='bar s%d' d='M%.1f %.1f H%.1f'/>", p.series, px(p.low), y, px(p.high));
+            }
+            if (atX != x || atY != y) {
+                line("<path class='s%d' d='M%.1f %.1f L%.1f %.1f'/>", p.series, x, y, atX, atY);
+            }
+            out.append(Figure.disc(atX, atY, p.series, names.indexOf(p.name) + 1));
         }
 
-        private void label(Point p) {
-            double x = px(p.x), y = py(p.y);
-            Labels.Box box = labels.place(x, y, p.label.length());
-            double nearX = Math.max(box.left(), Math.min(box.right(), x));
-            double nearY = Math.max(box.top(), Math.min(box.bottom(), y));
-            if (Math.hypot(nearX - x, nearY - y) > 14) {
-                line("<path class='leader' d='M%.1f %.1f L%.1f %.1f'/>", x, y, nearX, nearY);
-            }
-            text(box.left(), box.bottom() - 3, "label s" + p.series, "start", p.label);
+        private boolean isFree(double x, double y) {
+            return x >= LEFT && x <= width - RIGHT && y >= TOP && y <= height - BOTTOM
+                    && dots.stream().allMatch(dot -> Math.hypot(dot[0] - x, dot[1] - y) >= APART - 1);
         }
 
         private void text(double x, double y, String style, String anchor, String text) {

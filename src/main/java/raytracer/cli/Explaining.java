@@ -7,7 +7,9 @@ import java.util.List;
 import raytracer.image.Image;
 import raytracer.parser.Declarations;
 import raytracer.scene.Colour;
+import raytracer.scene.Light;
 import raytracer.scene.Scene;
+import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.tracer.Explainer;
 import raytracer.tracer.Tracer;
@@ -64,12 +66,25 @@ final class Explaining {
         add("ambient   " + text(hit.material().ambient()));
         for (int i = 0; i < declarations.lights().size(); i++) {
             add(text(declarations.lights().get(i)) + " " + (step.lights().isEmpty()
-                    ? "adds nothing: 'diffuse' and 'specular' are black" : text(step.lights().get(i))));
+                    ? "adds nothing: 'diffuse' and 'specular' are black" : step.lights().get(i).isFacing()
+                    ? text(step.lights().get(i)) : "adds nothing: " + whyNothing(number, step, scene.lights().get(i))));
         }
         Colour mirror = hit.material().specular();
-        add("mirror    " + text(mirror) + (number == scene.maxDepth() ? ": not followed, as maxdepth is " + number
-                : mirror.isBlack() ? ": none, as 'specular' is black"
+        add("mirror    " + text(mirror) + (mirror.isBlack() ? ": none, as 'specular' is black"
+                : number == scene.maxDepth() ? ": not followed, as maxdepth is " + number
                 : isLast ? ": not followed, as it can change the pixel no more" : " of what the next ray brings"));
+    }
+
+    /** Why a light that is not blocked adds nothing. */
+    private String whyNothing(int number, Explainer.Step step, Light light) {
+        Explainer.Hit hit = step.hit();
+        Shape shape = scene.shape(hit.surface());
+        if (shape instanceof Shape.Sphere && hit.normal().dot(step.direction()) > 0) {
+            return "the " + (number == 1 ? "eye" : "ray") + " is inside " + shape(hit.surface());
+        }
+        boolean isInside = shape instanceof Shape.Sphere sphere && light instanceof Light.Point point
+                && point.position().minus(sphere.centre()).length() < sphere.radius();
+        return isInside ? "it is inside " + shape(hit.surface()) : "it is behind the surface";
     }
 
     private void add(String line) {
@@ -89,9 +104,6 @@ final class Explaining {
             return "blocked by " + (light.blocker() < 0 ? "a surface that is here within rounding"
                     : shape(light.blocker()) + " at " + text(light.blockedAt()))
                     + (Double.isInfinite(light.distance()) ? "" : " of " + text(light.distance()));
-        }
-        if (!light.isFacing()) {
-            return "adds nothing: it is behind the surface";
         }
         return "adds diffuse " + text(light.diffuse()) + " and highlight " + text(light.highlight());
     }

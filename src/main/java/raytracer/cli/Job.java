@@ -6,10 +6,14 @@ import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
+import java.util.Map;
 import raytracer.console.Option;
 import raytracer.console.Options;
+import raytracer.console.Stopwatch;
 import raytracer.console.Terminal;
+import raytracer.files.Destination;
 import raytracer.files.Places;
+import raytracer.files.Reason;
 import raytracer.files.Reference;
 import raytracer.files.UsageException;
 import raytracer.image.PictureFile;
@@ -25,77 +29,110 @@ final class Job {
 
     private final Input input;
     private final Options options;
-    private final Places places;
     private final Terminal terminal;
-    private boolean isClaimed;
 
-    Job(Input input, Options options, Places places, Terminal terminal) {
+    /** Why the scene cannot be read, until the job is run. */
+    private Throwable failure;
+
+    private ParsedScene parsed;
+    private double parseMillis;
+    private Outputs outputs;
+    private Map<String, Object> figures;
+
+    Job(Input input, Options options, Terminal terminal) {
         this.input = input;
         this.options = options;
-        this.places = places;
         this.terminal = terminal;
+        figures = Stats.head(input.name());
     }
 
     /**
-     * Claims the files that will be read and written, for which the scene must be read; what else is wrong with it
-     * shows when it is run.
+     * Reads the scene, and claims the files that will be read and written; what is wrong with it shows when the job is run.
      *
-     * @throws UsageException if one is taken
+     * @param otherwise where the picture goes if the scene names no output; null for the usual place
+     * @throws UsageException if a file is taken
      */
-    void claim() throws UsageException {
-        Outputs outputs;
+    void prepare(Places places, Destination otherwise) throws UsageException {
         try {
-            outputs = Outputs.of(options, input, isComparison() ? null : input.parse(), terminal);
-        } catch (IOException | SceneException | UsageException e) {
+            Stopwatch parsing = new Stopwatch();
+            parsed = options.has(Option.EXPLAIN) || options.has(Option.COMPARE) && input.isPicture() ? null : input.parse();
+            parseMillis = parsing.millis();
+            outputs = Outputs.of(options, input, parsed, otherwise, terminal);
+        } catch (IOException | SceneException | UsageException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
+            failure = e;
             return;
         }
         try {
-            claim(outputs);
+            if (!options.has(Option.CHECK) && !options.has(Option.CHART) && !options.has(Option.EXPLAIN)) {
+                outputs.claim(places);
+            }
         } catch (IOException e) {
-            // As above.
+            failure = e;
         }
     }
 
-    private void claim(Outputs outputs) throws UsageException, IOException {
-        if (!isClaimed) {
-            isClaimed = true;
-            outputs.claim(places);
-        }
+    /** Where the picture goes; null if it does not, or the scene cannot be read. */
+    Destination destination() {
+        return outputs == null ? null : outputs.destination();
+    }
+
+    /** What is known of it so far. */
+    Map<String, Object> figures() {
+        return figures;
     }
 
     /** Does the job; returns the exit status. */
     int run() {
         try {
-            return options.has(Option.EXPLAIN) ? explain() : isComparison() ? comparePicture() : parseAndRender();
-        } catch (SceneException e) {
-            e.errors().forEach(error -> terminal.tell(error.toString()));
-            if (!e.rest().isEmpty()) {
-                terminal.tell(input.name() + ": " + e.rest());
-            }
-            return Main.BAD_INPUT;
-        } catch (UsageException e) {
-            return fail(Main.BAD_INPUT, e.place(), e.getMessage());
-        } catch (IOException e) {
-            return fail(Main.FAILED, "", e.getMessage());
-        } catch (OutOfMemoryError e) {
-            return fail(Main.FAILED, "", "not enough memory: the scene and its picture need more than the "
-                    + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use;"
-                    + " 'java -Xmx4g -jar ...' allows 4 GB");
-        } catch (RuntimeException | StackOverflowError e) {
-            return fail(Main.FAILED, "", "a fault in raytracer, please report it"
-                    + (options.has(Option.VERBOSE) ? ": " + stackTrace(e) : " with what --verbose says: " + e));
+            return failure != null ? fail(failure)
+                    : options.has(Option.EXPLAIN) ? explain() : parsed == null ? comparePicture() : render();
+        } catch (SceneException | UsageException | IOException | RuntimeException | OutOfMemoryError | StackOverflowError e) {
+            return fail(e);
+        } finally {
+            parsed = null;
         }
+    }
+
+    private int fail(Throwable e) {
+        if (e instanceof SceneException scene) {
+            scene.errors().forEach(error -> terminal.tell(error.toString()));
+            if (!scene.rest().isEmpty()) {
+                terminal.tell(input.name() + ": " + scene.rest());
+            }
+            return grade(Main.BAD_INPUT, "not read: " + Stats.counted(scene.count(), "error"));
+        }
+        String place = e instanceof UsageException usage ? usage.place() : "", reason = reason(e);
+        terminal.tell(input.name() + place + ": " + reason);
+        return grade(e instanceof UsageException ? Main.BAD_INPUT : Main.FAILED, "not compared: " + reason);
+    }
+
+    /** Where many are graded, each has its line, also one that fails. */
+    private int grade(int status, String words) {
+        figures.put("failed", words);
+        if (options.isGrading()) {
+            terminal.answer(input.name() + ": " + words);
+        }
+        return status;
+    }
+
+    private String reason(Throwable e) {
+        if (e instanceof OutOfMemoryError memory) {
+            return String.valueOf(memory.getMessage()).contains("thread") ? "the system starts no more threads: --threads N uses fewer"
+                    : "not enough memory: the scene and its picture need more than the "
+                            + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use;"
+                            + " 'java -Xmx4g -jar ...' allows 4 GB";
+        }
+        if (e instanceof RuntimeException || e instanceof StackOverflowError) {
+            return "a fault in raytracer, please report it"
+                    + (options.has(Option.VERBOSE) ? ": " + stackTrace(e) : " with what --verbose says: " + e);
+        }
+        return e.getMessage();
     }
 
     private static String stackTrace(Throwable e) {
         StringWriter trace = new StringWriter();
         e.printStackTrace(new PrintWriter(trace));
         return trace.toString();
-    }
-
-    private int fail(int status, String place, String message) {
-        terminal.tell(input.name() + place + ": " + message);
-        return status;
     }
 
     private int explain() throws SceneException, UsageException, IOException {
@@ -107,15 +144,13 @@ final class Job {
         return Main.DONE;
     }
 
-    private int parseAndRender() throws SceneException, UsageException, IOException {
-        Stats stats = new Stats(input.name(), options.threads());
-        ParsedScene parsed = input.parse();
-        stats.parseMillis = stats.whole.millis();
+    private int render() throws UsageException, IOException {
         for (Diagnostic warning : parsed.warnings()) {
             terminal.tell(warning.toString());
         }
         Scene scene = options.override(parsed.scene());
-        Outputs outputs = Outputs.of(options, input, parsed, terminal);
+        Stats stats = new Stats();
+        stats.parseMillis = parseMillis;
         Rendering rendering = new Rendering(options, scene, outputs, stats, terminal);
         if (options.has(Option.CHECK)) {
             if (options.has(Option.VERBOSE)) {
@@ -125,29 +160,25 @@ final class Job {
             return Main.DONE;
         }
         if (options.has(Option.CHART)) {
-            return new ChartJob(scene, options, places, terminal).run();
+            return new ChartJob(scene, options, terminal).run();
         }
-        claim(outputs);
         outputs.require();
-        return rendering.run(parsed);
+        int status = rendering.run(parsed);
+        figures = rendering.figures();
+        return status;
     }
 
-    /** Whether the input is no scene but a picture, which is only to be compared. */
-    private boolean isComparison() throws IOException {
-        return options.has(Option.COMPARE) && input.isPicture();
-    }
-
-    private int comparePicture() throws UsageException, IOException {
-        Outputs outputs = Outputs.of(options, input, null, terminal);
-        claim(outputs);
+    private int comparePicture() throws IOException {
         outputs.require();
         try (InputStream in = Files.newInputStream(input.path()); PictureFile picture = PictureFile.open(in)) {
+            figures.put("width", picture.width());
+            figures.put("height", picture.height());
             Reference.Verdict verdict = outputs.readReference(picture.width(), picture.height(), options)
                     .compare(picture.read());
-            int status = Comparing.tell(verdict, options, outputs, terminal);
-            outputs.writeStats(Stats.json(input.name(), outputs.reference(), verdict, picture.width(),
-                    picture.height()));
-            return status;
+            figures.put("compare", Stats.compared(outputs.reference(), verdict));
+            return Comparing.tell(verdict, options, outputs, terminal);
+        } catch (IOException e) {
+            throw new IOException("cannot read the picture: " + Reason.of(e), e);
         }
     }
 }

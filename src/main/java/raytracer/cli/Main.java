@@ -1,13 +1,20 @@
 package raytracer.cli;
 
+import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import raytracer.console.Json;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.Terminal;
+import raytracer.files.Destination;
+import raytracer.files.OutputFile;
 import raytracer.files.Places;
+import raytracer.files.Reason;
 import raytracer.files.UsageException;
 import raytracer.image.PngFile;
 
@@ -36,60 +43,70 @@ public final class Main {
 
     /** Does what the arguments say; returns the exit status. */
     static int run(String[] args, PrintStream out, PrintStream err) {
-        Options options;
-        try {
-            options = Options.parse(args);
-        } catch (UsageException e) {
-            new Terminal(out, err).tell("raytracer: " + e.getMessage());
-            return BAD_INPUT;
-        }
-        if (options.has(Option.HELP)) {
-            out.print(Option.help());
-            return DONE;
-        }
-        if (options.has(Option.VERSION)) {
-            String version = Main.class.getPackage().getImplementationVersion();
-            out.println("raytracer " + (version == null ? "(development)" : version));
-            return DONE;
-        }
-        if (!options.has(Option.CHECK) && !options.has(Option.CHART) && !options.has(Option.EXPLAIN)) {
-            PngFile.prepare();
-        }
         Terminal terminal = new Terminal(out, err);
-        return options.has(Option.WATCH) ? watch(options, terminal) : run(options, terminal);
-    }
-
-    /** Renders again and again, in this process: the second picture takes a fraction of the first one's time. */
-    private static int watch(Options options, Terminal terminal) {
-        List<Input> inputs = options.scenes().stream().map(Input::new).toList();
-        if (inputs.stream().anyMatch(Input::isStandard)) {
-            terminal.tell("raytracer: --watch goes with files, found standard input");
-            return BAD_INPUT;
-        }
-        new Watching(inputs, input -> new Job(input, options, new Places(), terminal).run()).run();
-        return DONE;
-    }
-
-    private static int run(Options options, Terminal terminal) {
-        Places places = new Places();
-        List<Job> jobs = new ArrayList<>();
-        for (String scene : options.scenes()) {
-            jobs.add(new Job(new Input(scene), options, places, terminal));
-        }
         try {
-            if (jobs.size() > 1 && !options.has(Option.CHECK)) {
-                for (Job job : jobs) {
-                    job.claim();
-                }
+            Options options = Options.parse(args);
+            if (options.has(Option.HELP)) {
+                out.print(Option.help());
+                return DONE;
             }
+            if (options.has(Option.VERSION)) {
+                out.println("raytracer " + version());
+                return DONE;
+            }
+            if (!options.has(Option.CHECK) && !options.has(Option.CHART) && !options.has(Option.EXPLAIN)) {
+                PngFile.prepare();
+            }
+            return options.has(Option.WATCH) ? new Watching(options, terminal).run() : run(options, terminal);
         } catch (UsageException e) {
             terminal.tell("raytracer: " + e.getMessage());
             return BAD_INPUT;
+        } catch (IOException e) {
+            terminal.tell("raytracer: " + e.getMessage());
+            return FAILED;
+        } catch (NoClassDefFoundError e) {
+            terminal.tell("raytracer: this Java has no module java.desktop, which reads and writes pictures: use one that has");
+            return FAILED;
         }
-        int status = DONE;
+    }
+
+    static String version() {
+        String version = Main.class.getPackage().getImplementationVersion();
+        return version == null ? "(development)" : version;
+    }
+
+    /** Reads all scenes first, so that nothing is rendered if one job would replace what another reads or writes. */
+    private static int run(Options options, Terminal terminal) throws UsageException, IOException {
+        Places places = new Places();
+        String stats = options.text(Option.STATS);
+        Path statsFile = stats == null || stats.equals(Destination.STANDARD) ? null : Reason.path(stats);
+        places.write(statsFile, "the statistics");
+        if (statsFile != null) {
+            OutputFile.require(statsFile);
+        }
+        List<Job> jobs = new ArrayList<>();
+        for (String scene : options.scenes()) {
+            jobs.add(new Job(new Input(scene), options, terminal));
+            jobs.get(jobs.size() - 1).prepare(places, null);
+        }
+        int[] count = new int[DIFFERS + 1];
+        List<Map<String, Object>> figures = new ArrayList<>();
         for (Job job : jobs) {
-            status = Math.max(status, job.run());
+            count[job.run()]++;
+            figures.add(job.figures());
         }
-        return status;
+        if (options.isGrading()) {
+            terminal.answer(jobs.size() + " compared: " + count[DONE] + " as they should be, " + count[DIFFERS] + " different, "
+                    + (count[FAILED] + count[BAD_INPUT]) + " failed");
+        }
+        if (stats != null) {
+            String json = jobs.size() == 1 ? Json.lines(figures.get(0)) : Json.of(figures).replace("}, {", "},\n{") + "\n";
+            if (statsFile == null) {
+                terminal.out().print(json);
+            } else {
+                OutputFile.write(statsFile, json);
+            }
+        }
+        return count[DIFFERS] > 0 ? DIFFERS : count[BAD_INPUT] > 0 ? BAD_INPUT : count[FAILED] > 0 ? FAILED : DONE;
     }
 }

@@ -1,6 +1,9 @@
 package raytracer.cli;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import raytracer.console.Option;
@@ -18,24 +21,35 @@ import raytracer.parser.ParsedScene;
 /**
  * The files that one job reads and writes besides its scene.
  *
- * @param destination of the picture; null if none is rendered
+ * @param destination of the picture; null if none is written
  * @param reference   what the picture is compared with; null if with none
  * @param difference  where a picture of the differences goes; null if nowhere
- * @param stats       where figures go; null if nowhere
  */
-record Outputs(Input input, Destination destination, Path reference, Path difference, Path stats) {
+record Outputs(Input input, Destination destination, Path reference, Path difference) {
 
-    /** @param scene null if the input is a picture */
-    static Outputs of(Options options, Input input, ParsedScene scene, Terminal terminal)
+    /**
+     * @param scene     null if the input is a picture
+     * @param otherwise where the picture goes if the scene names no output; null for the usual place
+     */
+    static Outputs of(Options options, Input input, ParsedScene scene, Destination otherwise, Terminal terminal)
             throws UsageException, IOException {
-        Destination destination = scene == null ? null
-                : options.has(Option.OUTPUT) ? Destination.ofUser(options.text(Option.OUTPUT), terminal.out())
-                : Destination.ofScene(scene.scene().output(), scene.outputPlace(), terminal.out());
+        Destination destination = scene == null ? null : destination(options, input, scene, otherwise, terminal);
         Path reference = options.has(Option.COMPARE) ? Reference.of(options.text(Option.COMPARE), input.path()) : null;
         Path difference = reference == null ? null : options.has(Option.DIFF) ? Reason.path(options.text(Option.DIFF))
                 : destination != null ? destination.ofDifferences() : Destination.ofDifferences(input.path());
-        Path stats = options.has(Option.STATS) ? Reason.path(options.text(Option.STATS)) : null;
-        return new Outputs(input, destination, reference, difference, stats);
+        return new Outputs(input, destination, reference, difference);
+    }
+
+    private static Destination destination(Options options, Input input, ParsedScene scene, Destination otherwise,
+            Terminal terminal) throws UsageException, IOException {
+        // Not through the stream that is printed to, which keeps to itself why it cannot be written.
+        OutputStream out = terminal.out() == System.out ? new FileOutputStream(FileDescriptor.out) : terminal.out();
+        if (options.has(Option.OUTPUT)) {
+            return options.isOutputFolder() ? Destination.inFolder(options.text(Option.OUTPUT), input.path(), out)
+                    : Destination.ofUser(options.text(Option.OUTPUT), out);
+        }
+        return options.isGrading() ? null : otherwise != null && scene.outputPlace().isEmpty() ? otherwise
+                : Destination.ofScene(scene.scene().output(), scene.outputPlace(), out);
     }
 
     /** @throws UsageException if one of the files is taken */
@@ -44,7 +58,6 @@ record Outputs(Input input, Destination destination, Path reference, Path differ
         places.write(picture(), "the picture of " + input.name());
         places.read(reference, "the reference");
         places.write(difference, "the difference picture of " + input.name());
-        places.write(stats, "the statistics");
     }
 
     private Path picture() {
@@ -59,7 +72,7 @@ record Outputs(Input input, Destination destination, Path reference, Path differ
 
     /** Sees to it that rendering is not in vain. */
     void require() throws IOException {
-        for (Path file : Arrays.asList(picture(), difference, stats)) {
+        for (Path file : Arrays.asList(picture(), difference)) {
             if (file != null) {
                 OutputFile.require(file);
             }
@@ -75,16 +88,11 @@ record Outputs(Input input, Destination destination, Path reference, Path differ
         try {
             return new Image(width, height);
         } catch (IllegalArgumentException | OutOfMemoryError e) {
+            boolean isOurs = e instanceof IllegalArgumentException;
             throw new IOException("a picture of " + width + "x" + height + " pixels is too large: it needs "
-                    + (Image.bytes(width, height) >> 20) + " MB of at most 2047, and Java may use "
-                    + (Runtime.getRuntime().maxMemory() >> 20) + " MB; --region renders a part of it, and"
-                    + " 'java -Xmx...m -jar ...' allows more", e);
-        }
-    }
-
-    void writeStats(String json) throws IOException {
-        if (stats != null) {
-            OutputFile.write(stats, json);
+                    + (Image.bytes(width, height) >> 20) + " MB, and " + (isOurs ? "2047 MB are the most"
+                    : "Java may use " + (Runtime.getRuntime().maxMemory() >> 20) + " MB") + "; --region renders a part of it"
+                    + (isOurs ? "" : ", and 'java -Xmx...m -jar ...' allows more"), e);
         }
     }
 }

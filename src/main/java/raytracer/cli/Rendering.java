@@ -1,6 +1,7 @@
 package raytracer.cli;
 
 import java.io.IOException;
+import java.util.Map;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.ProgressBar;
@@ -26,6 +27,7 @@ final class Rendering {
     private final Terminal terminal;
     private final Region region;
     private final Sampling sampling;
+    private Map<String, Object> figures;
 
     Rendering(Options options, Scene scene, Outputs outputs, Stats stats, Terminal terminal) throws UsageException {
         this.options = options;
@@ -46,29 +48,41 @@ final class Rendering {
     int run(ParsedScene parsed) throws IOException {
         Reference reference = outputs.readReference(region.width(), region.height(), options);
         Image image = outputs.newImage(region.width(), region.height());
-        trace(image);
+        Stopwatch building = new Stopwatch();
+        Tracer tracer = Tracer.compile(scene);
+        stats.buildMillis = building.millis();
+        trace(tracer, image);
         if (image.undefinedPixels() > 0) {
             terminal.tell(outputs.input().name() + ": a fault in raytracer, please report it: "
                     + image.undefinedPixels() + " pixels have no colour");
             return Main.FAILED;
         }
         Stopwatch writing = new Stopwatch();
-        outputs.destination().write(image.toBufferedImage());
+        if (outputs.destination() != null) {
+            outputs.destination().write(image.toBufferedImage());
+        }
         stats.writeMillis = writing.millis();
+        figures = stats.figures(outputs.input().name(), scene, options.threads());
         tellHowItWent();
-        if (image.isBlack() && !options.has(Option.REGION)) {
-            terminal.tell(outputs.input().name() + ": warning: the picture is black: " + BlackPicture.reason(parsed));
+        String advice = options.has(Option.REGION) ? null
+                : PictureAdvice.of(image, image.cutPixels() / options.whole(Option.REPEAT, 1), parsed.colours(), tracer, options.threads());
+        if (advice != null) {
+            terminal.tell(outputs.input().name() + ": warning: " + advice);
         }
         Reference.Verdict verdict = reference == null ? null : reference.compare(image.toBufferedImage());
         int status = verdict == null ? Main.DONE : Comparing.tell(verdict, options, outputs, terminal);
-        outputs.writeStats(stats.json(scene, outputs.reference(), verdict));
+        if (verdict != null) {
+            figures.put("compare", Stats.compared(outputs.reference(), verdict));
+        }
         return status;
     }
 
-    private void trace(Image image) {
-        Stopwatch building = new Stopwatch();
-        Tracer tracer = Tracer.compile(scene);
-        stats.buildMillis = building.millis();
+    /** Of what was rendered. */
+    Map<String, Object> figures() {
+        return figures;
+    }
+
+    private void trace(Tracer tracer, Image image) {
         if (options.has(Option.VERBOSE)) {
             terminal.tell(stats.sceneInWords(scene, tracer));
         }
@@ -85,7 +99,7 @@ final class Rendering {
         if (options.has(Option.VERBOSE)) {
             terminal.tell(stats.timesInWords());
         }
-        if (!options.has(Option.QUIET)) {
+        if (!options.has(Option.QUIET) && outputs.destination() != null) {
             terminal.tell(outputs.destination() + " " + region.width() + "x" + region.height() + " in "
                     + Stats.tenths(stats.whole.millis() / 1e3) + " s, " + stats.raysInWords());
         }

@@ -2,9 +2,10 @@ package raytracer.cli;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
+import java.util.Map;
 import raytracer.console.Stopwatch;
 import raytracer.files.Reference;
 import raytracer.image.Comparison;
@@ -17,9 +18,6 @@ import raytracer.tracer.bvh.TreeFacts;
 /** The figures of one job, gathered as it goes. */
 final class Stats {
 
-    private final String file;
-    private final int threads;
-
     final Stopwatch whole = new Stopwatch();
     double parseMillis;
     double buildMillis;
@@ -27,54 +25,47 @@ final class Stats {
     double writeMillis;
     RayCounts rays = RayCounts.ZERO;
 
-    Stats(String file, int threads) {
-        this.file = file;
-        this.threads = threads;
+    /** What every job's figures begin with. */
+    static Map<String, Object> head(String file) {
+        Map<String, Object> figures = new LinkedHashMap<>();
+        figures.put("program", Main.version());
+        figures.put("java", Runtime.version().toString());
+        figures.put("scene", file);
+        return figures;
     }
 
-    /** Of two pictures that were compared. */
-    static String json(String file, Path reference, Reference.Verdict verdict, int width, int height) {
-        return String.format(Locale.ROOT, "{\n  \"scene\": %s,\n  \"width\": %d,\n  \"height\": %d%s\n}\n",
-                quoted(file), width, height, compared(reference, verdict));
-    }
-
-    /** How a picture compares; nothing if the verdict is null. */
-    private static String compared(Path reference, Reference.Verdict verdict) {
-        if (verdict == null) {
-            return "";
-        }
+    /** How a picture compares. */
+    static Map<String, Object> compared(Path reference, Reference.Verdict verdict) {
+        Map<String, Object> figures = new LinkedHashMap<>();
         Comparison c = verdict.comparison();
-        String figures = c == null
-                ? "\"differing\": null, \"beyond\": null, \"most\": null, \"rmse\": null, \"x\": null, \"y\": null"
-                : String.format(Locale.ROOT,
-                        "\"differing\": %d, \"beyond\": %d, \"most\": %d, \"rmse\": %.4f, \"x\": %d, \"y\": %d",
-                        c.pixels(), c.beyond(), c.max(), c.rmse(), c.x(), c.y());
-        return ",\n  \"compare\": {\"reference\": " + quoted(reference.toString()) + ", " + figures + "}";
+        figures.put("reference", reference.toString());
+        figures.put("differing", c == null ? null : c.pixels());
+        figures.put("beyond", c == null ? null : c.beyond());
+        figures.put("most", c == null ? null : c.max());
+        figures.put("rmse", c == null ? null : c.rmse());
+        figures.put("x", c == null ? null : c.x());
+        figures.put("y", c == null ? null : c.y());
+        return figures;
     }
 
-    /** @param verdict null if the picture was not compared */
-    String json(Scene scene, Path reference, Reference.Verdict verdict) {
-        String repeats = renderMillis.stream().map(Stats::millis).collect(Collectors.joining(", "));
-        return String.format(Locale.ROOT, """
-                {
-                  "scene": %s,
-                  "width": %d,
-                  "height": %d,
-                  "threads": %d,
-                  "parseMillis": %s,
-                  "buildMillis": %s,
-                  "renderMillis": [%s],
-                  "writeMillis": %s,
-                  "rays": {"primary": %d, "shadow": %d, "reflection": %d},
-                  "triangles": %d,
-                  "spheres": %d,
-                  "planes": %d,
-                  "lights": %d%s
-                }
-                """, quoted(file), scene.width(), scene.height(), threads, millis(parseMillis), millis(buildMillis),
-                repeats, millis(writeMillis), rays.primary(), rays.shadow(), rays.reflection(),
-                scene.mesh().triangles(), count(scene, Shape.Sphere.class), count(scene, Shape.Plane.class),
-                scene.lights().size(), compared(reference, verdict));
+    Map<String, Object> figures(String file, Scene scene, int threads) {
+        Map<String, Object> figures = head(file), traced = new LinkedHashMap<>();
+        traced.put("primary", rays.primary());
+        traced.put("shadow", rays.shadow());
+        traced.put("reflection", rays.reflection());
+        figures.put("width", scene.width());
+        figures.put("height", scene.height());
+        figures.put("threads", threads);
+        figures.put("parseMillis", parseMillis);
+        figures.put("buildMillis", buildMillis);
+        figures.put("renderMillis", renderMillis);
+        figures.put("writeMillis", writeMillis);
+        figures.put("rays", traced);
+        figures.put("triangles", scene.mesh().triangles());
+        figures.put("spheres", count(scene, Shape.Sphere.class));
+        figures.put("planes", count(scene, Shape.Plane.class));
+        figures.put("lights", scene.lights().size());
+        return figures;
     }
 
     /** What a scene holds. */
@@ -82,10 +73,10 @@ final class Stats {
         return counted(count(scene, Shape.Sphere.class), "sphere") + ", "
                 + counted(count(scene, Shape.Plane.class), "plane") + ", "
                 + counted(scene.mesh().triangles(), "triangle") + ", " + counted(scene.lights().size(), "light")
-                + ", maxdepth " + scene.maxDepth();
+                + ", maxdepth " + scene.maxDepth() + (scene.shadow() ? "" : ", no shadows");
     }
 
-    private static String counted(long count, String thing) {
+    static String counted(long count, String thing) {
         return count + " " + thing + (count == 1 ? "" : "s");
     }
 
@@ -129,23 +120,5 @@ final class Stats {
 
     private static long count(Scene scene, Class<? extends Shape> kind) {
         return scene.shapes().stream().filter(kind::isInstance).count();
-    }
-
-    private static String millis(double value) {
-        return String.format(Locale.ROOT, "%.3f", value);
-    }
-
-    private static String quoted(String text) {
-        StringBuilder out = new StringBuilder("\"");
-        for (char c : text.toCharArray()) {
-            if (c == '"' || c == '\\') {
-                out.append('\\').append(c);
-            } else if (c < ' ') {
-                out.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
-            } else {
-                out.append(c);
-            }
-        }
-        return out.append('"').toString();
     }
 }

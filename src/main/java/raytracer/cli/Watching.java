@@ -4,24 +4,60 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
-import java.util.HashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.function.Consumer;
+import raytracer.console.Options;
+import raytracer.console.Terminal;
+import raytracer.files.Destination;
+import raytracer.files.Places;
+import raytracer.files.UsageException;
 
 /**
- * Does a job again whenever its scene is saved, until the thread is interrupted. What a folder says of the file is asked
- * again and again, so an editor may write it in place or replace it.
+ * Renders a scene again whenever it is saved, until the thread is interrupted, in this process: the second picture takes a
+ * fraction of the first one's time. What a folder says of the file is asked again and again, so an editor may write it in
+ * place or replace it.
  */
 final class Watching {
 
-    /** How often to ask. A file that has not changed for so long is whole. */
+    /** How often to ask. */
     private static final long MILLIS = 20;
 
-    private final List<Input> inputs;
-    private final Consumer<Input> job;
-    private final Map<Input, Stamp> seen = new HashMap<>();
-    private final Map<Input, Stamp> done = new HashMap<>();
+    /** A file that has not changed for so long is whole: an editor or a network may take as long to write it. */
+    private static final long STILL_MILLIS = 200;
+
+    private final Options options;
+    private final Terminal terminal;
+    private final List<Watched> all = new ArrayList<>();
+
+    Watching(Options options, Terminal terminal) {
+        this.options = options;
+        this.terminal = terminal;
+    }
+
+    /** Returns the exit status when the thread is interrupted, or at once if this can never succeed. */
+    int run() throws UsageException, IOException {
+        Places places = new Places();
+        for (String scene : options.scenes()) {
+            Watched watched = new Watched(new Input(scene));
+            if (watched.input.isStandard() || Files.isDirectory(watched.input.path())) {
+                throw new UsageException("--watch goes with files, found "
+                        + (watched.input.isStandard() ? "standard input" : "the directory " + scene));
+            }
+            all.add(watched);
+            watched.prepare(places);
+        }
+        try {
+            while (true) {
+                for (Watched watched : all) {
+                    watched.lookAgain();
+                }
+                Thread.sleep(MILLIS);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return Main.DONE;
+        }
+    }
 
     /** What tells one version of a file from another. */
     private record Stamp(FileTime time, long size, Object key) {
@@ -37,32 +73,60 @@ final class Watching {
         }
     }
 
-    Watching(List<Input> inputs, Consumer<Input> job) {
-        this.inputs = inputs;
-        this.job = job;
+    private static long millis() {
+        return System.nanoTime() / 1_000_000;
     }
 
-    /** Returns when the thread is interrupted. */
-    void run() {
-        try {
-            while (true) {
-                for (Input input : inputs) {
-                    doIfSaved(input);
-                }
-                Thread.sleep(MILLIS);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+    private final class Watched {
+        private final Input input;
+        private Job job;
+        private Stamp seen;
+        private Stamp done;
+        private long changedMillis = millis() - STILL_MILLIS;
+        private boolean isMissed;
+
+        /** Where its picture went: if a version, half written maybe, names no output, that does not change. */
+        private Destination destination;
+
+        Watched(Input input) {
+            this.input = input;
+            seen = Stamp.of(input);
         }
-    }
 
-    /** What is saved meanwhile is seen the next time, however often it was. */
-    private void doIfSaved(Input input) {
-        Stamp now = Stamp.of(input), before = seen.put(input, now);
-        boolean isWhole = now != null && (now.equals(before) || done.isEmpty());
-        if (isWhole && !now.equals(done.get(input))) {
-            done.put(input, now);
-            job.accept(input);
+        void prepare(Places places) throws UsageException {
+            job = new Job(input, options, terminal);
+            job.prepare(places, destination);
+            destination = job.destination() == null ? destination : job.destination();
+        }
+
+        /** What is saved meanwhile is seen the next time, however often it was. */
+        void lookAgain() {
+            Stamp now = Stamp.of(input);
+            if (now == null && !isMissed) {
+                terminal.tell(input.name() + ": there is no such file; it is rendered when there is one");
+            }
+            isMissed = now == null;
+            changedMillis = now == null || now.equals(seen) ? changedMillis : millis();
+            seen = now;
+            if (now != null && !now.equals(done) && millis() - changedMillis >= STILL_MILLIS) {
+                done = now;
+                render();
+            }
+        }
+
+        private void render() {
+            Places places = new Places();
+            try {
+                for (Watched other : all) {
+                    if (other != this && other.destination != null) {
+                        places.write(other.destination.file(), "the picture of " + other.input.name());
+                    }
+                }
+                prepare(places);
+                job.run();
+            } catch (UsageException | IOException e) {
+                terminal.tell(input.name() + ": " + e.getMessage());
+            }
         }
     }
 }

@@ -1,13 +1,16 @@
 package raytracer.console;
 
 import java.util.Locale;
+import java.util.stream.Stream;
 import raytracer.files.UsageException;
+import raytracer.parser.Spelling;
 
 /** The options of the command line, and what the help says of each. */
 public enum Option {
 
     OUTPUT("FILE", "write here, not to the scene's 'output'; - for stdout"),
     SIZE("WxH", "override the scene's size"),
+    CAMERA("LINE", "another camera: \"ex ey ez  ax ay az  ux uy uz  fov\""),
     MAXDEPTH("N", "override the scene's maxdepth"),
     SAMPLES("N", "N x N samples a pixel, 1 to 64; 1 is the reference",
             "auto:E", "as many as an error of E takes; 1/255 if left out"),
@@ -52,7 +55,13 @@ public enum Option {
                 return option;
             }
         }
-        throw new UsageException("unknown option '" + flag + "'; see --help");
+        String near = Spelling.nearest(flag, Stream.of(values()).map(Option::flag).toList());
+        throw new UsageException("unknown option '" + flag + "'" + (near == null ? "; see --help" : "; did you mean '" + near
+                + "'?"));
+    }
+
+    static boolean isFlag(String text) {
+        return Stream.of(values()).anyMatch(option -> text.equals(option.flag()) || text.equals(option.shortFlag()));
     }
 
     private String shortFlag() {
@@ -70,6 +79,6 @@ public enum Option {
                         option.flag() + " " + option.forms[form], option.forms[form + 1]));
             }
         }
-        return text.append("\nexit status: 0 done, 1 failed, 2 bad usage or scene, 3 pictures differ\n").toString();
+        return text.append("exit status: 0 done, 1 failed, 2 bad usage or scene, 3 pictures differ\n").toString();
     }
 }

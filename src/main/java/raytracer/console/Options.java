@@ -9,12 +9,18 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import raytracer.files.UsageException;
+import raytracer.parser.SceneException;
+import raytracer.parser.SceneParser;
 import raytracer.render.Region;
 import raytracer.render.Sampling;
+import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 
 /** What the command line asks for: once made, every value can be read. */
 public final class Options {
+
+    /** In place of a file's name. */
+    private static final String STANDARD = "-";
 
     private static final int MAX_THREADS = 1024;
     private static final int MAX_SECONDS = 24 * 60 * 60;
@@ -30,14 +36,15 @@ public final class Options {
     private final Map<Option, int[]> numbers = new EnumMap<>(Option.class);
 
     private Sampling sampling = Sampling.CENTRES;
+    private Camera camera;
 
     public static Options parse(String... args) throws UsageException {
         Options options = new Options();
         options.read(List.of(args).iterator());
         if (!options.has(Option.HELP) && !options.has(Option.VERSION)) {
+            options.readValues();
             options.requireScenes();
             options.requireSense();
-            options.readValues();
         }
         return options;
     }
@@ -67,21 +74,25 @@ public final class Options {
         if (option.takesValue() && value.isEmpty()) {
             throw new UsageException("expected a value after " + flag + ", found none");
         }
+        if (option.takesValue() && attached == null && Option.isFlag(value)) {
+            throw new UsageException("expected a value after " + flag + ", found the option " + value);
+        }
         values.put(option, value);
     }
 
     private void requireScenes() throws UsageException {
-        if (scenes.isEmpty()) {
-            throw new UsageException("expected a scene file, found none; see --help");
+        if (scenes.isEmpty() || scenes.contains("")) {
+            throw new UsageException("expected a scene file, found " + (scenes.isEmpty() ? "none; see --help" : "an empty name"));
         }
         if (scenes.size() > 1) {
-            for (Option option : List.of(Option.OUTPUT, Option.STATS, Option.DIFF, Option.CHART, Option.EXPLAIN,
-                    Option.COMPARE)) {
-                boolean isFolder = option == Option.COMPARE && has(option) && new File(text(option)).isDirectory();
-                if (has(option) && !isFolder) {
-                    throw new UsageException(option.flag() + (option == Option.COMPARE ? " with a file (not a folder)" : "")
-                            + " goes with one scene, found " + scenes.size());
+            for (Option option : List.of(Option.DIFF, Option.CHART, Option.EXPLAIN)) {
+                if (has(option)) {
+                    throw new UsageException(option.flag() + " goes with one scene, found " + scenes.size());
                 }
+            }
+            if (has(Option.OUTPUT) && !new File(text(Option.OUTPUT)).isDirectory()) {
+                throw new UsageException("expected -o to name a folder that is there, for " + scenes.size()
+                        + " scenes, found '" + text(Option.OUTPUT) + "'");
             }
         }
     }
@@ -93,11 +104,15 @@ public final class Options {
         requireWithout(Option.EXPLAIN, "it tells of a pixel's one sample, and renders no picture",
                 Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.CHART, Option.STATS, Option.WATCH);
         requireWithout(Option.WATCH, "it renders again and again", Option.CHART, Option.COMPARE, Option.REPEAT,
-                Option.CHECK);
+                Option.CHECK, Option.STATS);
         requireWithout(Option.CHART, "it tries many settings in turns, and writes a chart in place of a picture",
                 Option.COMPARE, Option.REGION, Option.OUTPUT, Option.SAMPLES, Option.REPEAT, Option.STATS);
+        requireWithout(Option.CHECK, "it renders no picture", Option.COMPARE, Option.STATS, Option.CHART, Option.EXPLAIN);
         if (has(Option.CHART) && !text(Option.CHART).endsWith(".svg")) {
             throw new UsageException("expected the file of --chart to end in '.svg', found '" + text(Option.CHART) + "'");
+        }
+        if (STANDARD.equals(text(Option.STATS)) && STANDARD.equals(text(Option.OUTPUT))) {
+            throw new UsageException("expected one of --output and --stats to be '-', found both");
         }
     }
 
@@ -125,8 +140,20 @@ public final class Options {
         readWholes(Option.REGION, ",", "like 0,120,640,60: column, row, width and height of a part of the picture",
                 "column", "row", "width", "height");
         readWholes(Option.EXPLAIN, ",", "like 100,85: column and row of a pixel", "column", "row");
+        if (has(Option.CAMERA)) {
+            camera = camera(text(Option.CAMERA));
+        }
         if (has(Option.SAMPLES)) {
             sampling = sampling(text(Option.SAMPLES));
+        }
+    }
+
+    /** As a scene's line has it. */
+    private static Camera camera(String numbers) throws UsageException {
+        try {
+            return SceneParser.camera("--camera", numbers);
+        } catch (SceneException e) {
+            throw new UsageException(e.errors().get(0).toString());
         }
     }
 
@@ -192,6 +219,16 @@ public final class Options {
         return values.get(option);
     }
 
+    /** Whether pictures are compared as a class's hand-ins are: each has a line, and none is written unless that is asked for. */
+    public boolean isGrading() {
+        return has(Option.COMPARE) && (scenes.size() > 1 || new File(text(Option.COMPARE)).isDirectory());
+    }
+
+    /** Whether pictures go into a folder, by the names of their scenes. */
+    public boolean isOutputFolder() {
+        return scenes.size() > 1 || text(Option.OUTPUT).endsWith("/");
+    }
+
     public int threads() {
         return whole(Option.THREADS, Runtime.getRuntime().availableProcessors());
     }
@@ -213,7 +250,7 @@ public final class Options {
     public Scene override(Scene scene) {
         int[] size = numbers.get(Option.SIZE);
         Scene sized = size == null ? scene : scene.withSize(size[0], size[1]);
-        return sized.withMaxDepth(whole(Option.MAXDEPTH, scene.maxDepth()));
+        return (camera == null ? sized : sized.withCamera(camera)).withMaxDepth(whole(Option.MAXDEPTH, scene.maxDepth()));
     }
 
     /** The part of a picture of this size that is wanted: all, if none is given. */

@@ -18,7 +18,7 @@ public final class ProgressBar {
 
     private static final long FIRST_MILLIS = 500;
     private static final long NEXT_MILLIS = 200;
-    private static final int WIDTH = 40;
+    private static final int WIDTH = 20;
 
     private ProgressBar() { }
 
@@ -36,7 +36,7 @@ public final class ProgressBar {
         } finally {
             close(clock);
             if (elapsed.millis() >= FIRST_MILLIS) {
-                show(err, " ".repeat(WIDTH + 30) + "\r");
+                show(err, " ".repeat(WIDTH + 24) + "\r");
             }
         }
     }

@@ -3,10 +3,11 @@ package raytracer.files;
 import java.awt.image.BufferedImage;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
-import java.io.PrintStream;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import raytracer.image.PngFile;
 
 /**
@@ -14,16 +15,27 @@ import raytracer.image.PngFile;
  *
  * @param file null for standard output
  */
-public record Destination(Path file, PrintStream standardOutput) {
+public record Destination(Path file, OutputStream standardOutput) {
 
     /** In place of a file's name: standard input or output. */
     public static final String STANDARD = "-";
 
     private static final String SUFFIX = ".png";
 
+    /** Of pictures of another kind: whoever names a file so expects that kind. */
+    private static final Pattern OTHER_SUFFIX = Pattern.compile("(?i).*\\.(jpe?g|gif|bmp|tiff?|webp|ppm|pfm|exr|svg|pdf)");
+
     /** Where a user says. */
-    public static Destination ofUser(String name, PrintStream out) throws IOException {
+    public static Destination ofUser(String name, OutputStream out) throws UsageException, IOException {
+        if (OTHER_SUFFIX.matcher(name).matches()) {
+            throw new UsageException("expected -o to name a PNG, found '" + name + "'");
+        }
         return new Destination(name.equals(STANDARD) ? null : Reason.path(name), out);
+    }
+
+    /** In a folder, by the name of the scene. */
+    public static Destination inFolder(String folder, Path scene, OutputStream out) throws IOException {
+        return new Destination(Reason.path(folder).resolve(baseName(scene) + SUFFIX), out);
     }
 
     /**
@@ -31,14 +43,19 @@ public record Destination(Path file, PrintStream standardOutput) {
      *
      * @param place of the name in the scene, for messages
      */
-    public static Destination ofScene(String name, String place, PrintStream out) throws UsageException, IOException {
+    public static Destination ofScene(String name, String place, OutputStream out) throws UsageException, IOException {
         if (name.codePoints().anyMatch(c -> Character.isISOControl(c) || Character.getType(c) == Character.FORMAT)) {
             throw refused(name, place, "to have no control characters");
         }
         if (!name.toLowerCase(Locale.ROOT).endsWith(SUFFIX)) {
             throw refused(name, place, "to end in '" + SUFFIX + "'");
         }
-        Path file = Reason.path(name);
+        Path file;
+        try {
+            file = Reason.path(name);
+        } catch (IOException e) {
+            throw new UsageException(place, e.getMessage());
+        }
         boolean leaves = file.getRoot() != null;
         for (Path step : file) {
             leaves |= step.toString().equals("..");
@@ -60,9 +77,10 @@ public record Destination(Path file, PrintStream standardOutput) {
             OutputFile.write(file, out -> PngFile.write(picture, out));
             return;
         }
-        PngFile.write(picture, new BufferedOutputStream(standardOutput));
-        if (standardOutput.checkError()) {
-            throw new IOException("cannot write to standard output: whoever was to read it has gone");
+        try {
+            PngFile.write(picture, new BufferedOutputStream(standardOutput));
+        } catch (IOException e) {
+            throw new IOException("cannot write to standard output: " + Reason.of(e), e);
         }
     }
 
@@ -72,7 +90,13 @@ public record Destination(Path file, PrintStream standardOutput) {
     }
 
     public static Path ofDifferences(Path picture) {
-        return picture.resolveSibling(baseName(picture, SUFFIX) + "-diff.png");
+        return picture.resolveSibling(baseName(picture) + "-diff.png");
+    }
+
+    /** The name of a picture or scene without its suffix. */
+    static String baseName(Path file) {
+        String name = baseName(file, SUFFIX);
+        return name.endsWith(".scene") ? name.substring(0, name.length() - ".scene".length()) : name;
     }
 
     /** A file's name without a suffix, if it has that. */

@@ -35,7 +35,7 @@ public final class Reason {
      */
     public static String ofEncoding(String name) {
         String names = name + System.getProperty("user.dir");
-        boolean lost = names.chars().anyMatch(c -> c == '\uFFFD' || c == '?');
+        boolean lost = names.chars().anyMatch(c -> c > 126 || c == '?');
         return lost ? "; Java cannot express its name or its folder's in this locale: run it with LC_ALL=C.UTF-8" : "";
     }
 

@@ -37,8 +37,7 @@ public record Reference(Path file, int width, int height, BufferedImage picture,
         if (!Files.isDirectory(place)) {
             return place;
         }
-        String name = Destination.baseName(subject, ".png");
-        return place.resolve((name.endsWith(".scene") ? name.substring(0, name.length() - 6) : name) + ".png");
+        return place.resolve(Destination.baseName(subject) + ".png");
     }
 
     /** @param width of the picture that is compared; pixels of another size are not read */
@@ -52,8 +51,6 @@ public record Reference(Path file, int width, int height, BufferedImage picture,
             return new Reference(file, w, h, sameSize ? picture.read() : null, tolerance, difference);
         } catch (IOException e) {
             throw new IOException("cannot read the picture " + file + ": " + Reason.of(e), e);
-        } catch (RuntimeException e) {
-            throw new IOException("cannot read the picture " + file + ": it is damaged", e);
         }
     }
 

@@ -19,6 +19,7 @@ public final class Image implements PixelSink {
     private final byte[] bytes;
 
     private final AtomicLong undefinedPixels = new AtomicLong();
+    private final AtomicLong cutPixels = new AtomicLong();
 
     /**
      * A black picture.
@@ -41,16 +42,18 @@ public final class Image implements PixelSink {
 
     @Override
     public void setPixels(int x, int y, int columns, int rows, double[] red, double[] green, double[] blue) {
-        int width = picture.getWidth();
+        int width = picture.getWidth(), cut = 0;
         for (int i = 0; i < columns * rows; i++) {
             int at = COMPONENTS * ((y + i / columns) * width + x + i % columns);
             bytes[at] = Quantiser.quantise(blue[i]);
             bytes[at + 1] = Quantiser.quantise(green[i]);
             bytes[at + 2] = Quantiser.quantise(red[i]);
+            cut += red[i] > 1 || green[i] > 1 || blue[i] > 1 ? 1 : 0;
             if (Double.isNaN(red[i] + green[i] + blue[i])) {
                 undefinedPixels.incrementAndGet();
             }
         }
+        cutPixels.addAndGet(cut);
     }
 
     /** A pixel as 0xRRGGBB. */
@@ -61,6 +64,11 @@ public final class Image implements PixelSink {
     /** How many pixels were set to no number (they are 0): none, unless the tracer has a fault. */
     public long undefinedPixels() {
         return undefinedPixels.get();
+    }
+
+    /** How many pixels, as they were set, had a component above 1. */
+    public long cutPixels() {
+        return cutPixels.get();
     }
 
     public boolean isBlack() {

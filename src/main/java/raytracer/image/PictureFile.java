@@ -36,17 +36,31 @@ public record PictureFile(ImageInputStream stream, ImageReader reader) implement
         return new PictureFile(stream, reader);
     }
 
+    /** Something to be read from it. */
+    private interface Reading<T> {
+        T get() throws IOException;
+    }
+
+    /** Whatever the library finds wrong, in its own classes' words, the picture is damaged. */
+    private static <T> T whole(Reading<T> reading) throws IOException {
+        try {
+            return reading.get();
+        } catch (IOException | RuntimeException e) {
+            throw new IOException("it is damaged", e);
+        }
+    }
+
     public int width() throws IOException {
-        return reader.getWidth(0);
+        return whole(() -> reader.getWidth(0));
     }
 
     public int height() throws IOException {
-        return reader.getHeight(0);
+        return whole(() -> reader.getHeight(0));
     }
 
     /** The pixels, as 0xRRGGBB of an opaque picture. */
     public BufferedImage read() throws IOException {
-        BufferedImage picture = reader.read(0);
+        BufferedImage picture = whole(() -> reader.read(0));
         int w = picture.getWidth(), h = picture.getHeight();
         BufferedImage samples = new BufferedImage(w, h, BufferedImage.TYPE_INT_RGB);
         boolean byPalette = picture.getColorModel() instanceof IndexColorModel;

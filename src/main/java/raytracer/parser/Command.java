@@ -10,6 +10,7 @@ enum Command {
     CAMERA("ex ey ez ax ay az ux uy uz fov"),
     OUTPUT("name"),
     MAXDEPTH("n"),
+    SHADOW("true|false"),
     AMBIENT("r g b"),
     DIFFUSE("r g b"),
     SPECULAR("r g b"),
@@ -21,9 +22,6 @@ enum Command {
     TRI("i j k"),
     SPHERE("x y z r"),
     PLANE("x y z nx ny nz");
-
-    /** Typing errors that a suggestion forgives. */
-    private static final int MAX_EDITS = 2;
 
     private static final List<Command> ALL = List.of(values());
 
@@ -53,57 +51,38 @@ enum Command {
         return null;
     }
 
-    /** What to do about a word that is no command, but one of other scene formats, or close to one; else nothing. */
+    /** What to do about a word that is no command, but one of other formats, or close to one; else nothing. */
     static String advice(String word) {
-        return switch (word) {
-            case "shadow", "shadows" -> "; shadows are always on: take the line out";
+        return switch (word.toLowerCase(Locale.ROOT)) {
+            case "shadows" -> "; did you mean 'shadow'?";
             case "emission" -> "; add its colour to 'ambient'";
             case "attenuation" -> "; lights do not weaken with distance: take the line out";
             case "checker", "texture" -> "; a shape has one colour: 'diffuse r g b'";
+            case "colour", "color" -> "; 'diffuse r g b' holds for the shapes after it";
+            case "light" -> "; 'point x y z r g b' or 'directional x y z r g b'";
+            case "lens" -> "; the camera is a pinhole, and all is sharp: take the line out";
+            case "index", "refraction", "ior" -> "; nothing can be seen through: take the line out";
             case "sampling", "samples", "antialiasing" -> "; the option --samples N smooths edges: take the line out";
             case "reflection", "reflectivity", "reflect" ->
                 "; mirrors have the colour of 'specular', and show as deep as 'maxdepth'";
-            case "translate", "rotate", "scale", "pushTransform", "popTransform", "transform" ->
+            case "translate", "rotate", "scale", "pushtransform", "poptransform", "transform" ->
                 "; the format has no transformations: write coordinates out";
-            case "maxvertnorms", "vertexnormal", "trinormal" ->
-                "; triangles are flat: use 'maxverts', 'vertex' and 'tri'";
+            case "maxvertnorms", "vertexnormal", "trinormal", "vn", "vt" ->
+                "; triangles are flat, of one colour: use 'maxverts', 'vertex' and 'tri'";
+            case "v", "f" -> "; this is an OBJ file's: here it is 'maxverts n', 'vertex x y z', and 'tri i j k' from 0 on"
+                    + " (README has a recipe)";
+            case "triangle" -> "; 'tri i j k' is one, of three vertices declared above";
             case "background" -> "; what meets nothing is black: take the line out";
-            default -> suggestion(word);
+            default -> {
+                Command near = near(word);
+                yield near == null ? "" : "; did you mean '" + near.keyword + "'?";
+            }
         };
     }
 
-    /** {@code ; did you mean 'sphere'?} for a word that is close to a keyword, else nothing. */
-    private static String suggestion(String word) {
-        String best = null;
-        int min = MAX_EDITS + 1;
-        for (Command command : ALL) {
-            int edits = edits(word.toLowerCase(Locale.ROOT), command.keyword);
-            if (edits < min && edits < command.keyword.length() - 1) {
-                min = edits;
-                best = command.keyword;
-            }
-        }
-        return best == null ? "" : "; did you mean '" + best + "'?";
-    }
-
-    /** The Levenshtein distance, or more than {@link #MAX_EDITS} if the lengths alone say so. */
-    private static int edits(String a, String b) {
-        if (Math.abs(a.length() - b.length()) > MAX_EDITS) {
-            return MAX_EDITS + 1;
-        }
-        int[] above = new int[b.length() + 1];
-        for (int j = 0; j <= b.length(); j++) {
-            above[j] = j;
-        }
-        for (int i = 1; i <= a.length(); i++) {
-            int[] row = new int[b.length() + 1];
-            row[0] = i;
-            for (int j = 1; j <= b.length(); j++) {
-                int replaced = above[j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
-                row[j] = Math.min(replaced, 1 + Math.min(above[j], row[j - 1]));
-            }
-            above = row;
-        }
-        return above[b.length()];
+    /** The command that a word may be meant to be; null if it is close to none. */
+    static Command near(String word) {
+        String near = Spelling.nearest(word.toLowerCase(Locale.ROOT), ALL.stream().map(Command::keyword).toList());
+        return near == null ? null : of(near);
     }
 }

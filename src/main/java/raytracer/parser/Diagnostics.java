@@ -104,7 +104,7 @@ final class Diagnostics {
             }
         }
         long unlisted = errorCount - errors.size();
-        return new SceneException(errors, unlisted == 0 ? "" : unlisted + (unlisted == 1 ? " more error" : " more errors")
+        return new SceneException(errors, errorCount, unlisted == 0 ? "" : unlisted + (unlisted == 1 ? " more error" : " more errors")
                 + (isHopeless() ? "; the rest was not read" : ""));
     }
 

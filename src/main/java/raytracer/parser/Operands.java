@@ -65,7 +65,8 @@ final class Operands {
     String readText(Command command) throws Rejected {
         readKeyword(command);
         if (!line.rest()) {
-            throw reject(keywordTo, keywordTo + 1, "expected a name after '" + keyword + "', found none");
+            throw reject(keywordTo, keywordTo + 1, "expected " + (command == Command.OUTPUT ? "a name" : "true or false")
+                    + " after '" + keyword + "', found none");
         }
         from[0] = line.from;
         to[0] = line.to;
@@ -80,7 +81,9 @@ final class Operands {
     }
 
     private Rejected notANumber(int i, double value) {
-        return reject(i, Double.isNaN(value) ? "to be a decimal number" : "to be within a double's range (1.8e308)");
+        boolean hasComma = line.word().matches("[-+]?\\d*,\\d+");
+        return reject(i, !Double.isNaN(value) ? "to be within a double's range (1.8e308)"
+                : "to be a decimal number" + (hasComma ? " with a point, as " + line.word().replace(',', '.') : ""));
     }
 
     /** The line's current word is the first that is too many; or there is none, and some are missing. */

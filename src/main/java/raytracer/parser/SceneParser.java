@@ -1,7 +1,10 @@
 package raytracer.parser;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -39,6 +42,7 @@ public final class SceneParser {
     private int height;
     private Camera camera;
     private int maxDepth = 1;
+    private boolean shadow = true;
     private String output = DEFAULT_OUTPUT;
     private String outputPlace = "";
     private int maxVertices;
@@ -49,6 +53,8 @@ public final class SceneParser {
     private boolean anyColour;
     private long firstColourless;
     private long lastColourless;
+    private double brightest;
+    private long brightestLine;
 
     /**
      * Reads a whole scene.
@@ -60,6 +66,27 @@ public final class SceneParser {
      */
     public static ParsedScene parse(String file, InputStream in) throws IOException, SceneException {
         return new SceneParser(file, in).parse();
+    }
+
+    /**
+     * Reads a camera from the ten numbers of its command.
+     *
+     * @param name what messages call them
+     */
+    public static Camera camera(String name, String numbers) throws SceneException {
+        String line = Command.CAMERA.keyword() + " " + numbers;
+        SceneParser parser = new SceneParser(name, new ByteArrayInputStream(line.getBytes(StandardCharsets.UTF_8)));
+        try {
+            parser.reader.advance();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        parser.line.firstWord();
+        parser.command();
+        if (!parser.diagnostics.clean()) {
+            throw parser.diagnostics.exception();
+        }
+        return parser.camera;
     }
 
     private SceneParser(String file, InputStream in) {
@@ -88,15 +115,19 @@ public final class SceneParser {
         if (!diagnostics.clean()) {
             throw diagnostics.exception();
         }
-        Scene scene = new Scene(width, height, camera, maxDepth, lights, shapes.list(), shapes.mesh(), output);
+        Scene scene = new Scene(width, height, camera, maxDepth, shadow, lights, shapes.list(), shapes.mesh(), output);
         warn();
-        return new ParsedScene(scene, diagnostics.warnings(), outputPlace, firstColourless, lastColourless);
+        return new ParsedScene(scene, diagnostics.warnings(), outputPlace,
+                new ParsedScene.Colours(firstColourless, lastColourless, brightest, brightestLine));
     }
 
     /** Whether the file, of which this is the first line, is of a kind that is often taken for a scene. */
     private boolean isNoText() {
         byte[] b = reader.buffer;
         int at = reader.start, first = b[at] & 0xFF, second = b[at + 1] & 0xFF;
+        if (reader.end - at < 2) {
+            return false;
+        }
         if (first == 0x89 && second == 'P') {
             diagnostics.errorOfFile("expected a scene, found a PNG picture; -o FILE names the output");
         } else if (first == 0xFF && second == 0xFE || first == 0xFE && second == 0xFF || first == 0 || second == 0) {
@@ -116,10 +147,14 @@ public final class SceneParser {
         Command command = Command.of(line.word());
         if (command == null) {
             diagnostics.unknownCommand(line.word(), line.from, line.to);
+            Command near = Command.near(line.word());
+            if (near != null) {
+                recover(near);
+            }
             return;
         }
         try {
-            if (command != Command.OUTPUT) {
+            if (command != Command.OUTPUT && command != Command.SHADOW) {
                 operands.read(command);
             }
             apply(command, operands);
@@ -140,12 +175,13 @@ public final class SceneParser {
             case CAMERA -> camera(o);
             case OUTPUT -> output(o);
             case MAXDEPTH -> maxDepth = once(command, o).whole(0, 1, MAX);
-            case AMBIENT -> shapes.material(new Material(coloured(o.colour(0)), m.diffuse(), m.specular(), m.shininess()));
-            case DIFFUSE -> shapes.material(new Material(m.ambient(), coloured(o.colour(0)), m.specular(), m.shininess()));
-            case SPECULAR -> shapes.material(new Material(m.ambient(), m.diffuse(), o.colour(0), m.shininess()));
+            case SHADOW -> shadow(o);
+            case AMBIENT -> shapes.material(new Material(coloured(o), m.diffuse(), m.specular(), m.shininess()));
+            case DIFFUSE -> shapes.material(new Material(m.ambient(), coloured(o), m.specular(), m.shininess()));
+            case SPECULAR -> shapes.material(new Material(m.ambient(), m.diffuse(), colour(o, 0), m.shininess()));
             case SHININESS -> shapes.material(new Material(m.ambient(), m.diffuse(), m.specular(), o.number(0)));
-            case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), o.colour(3)));
-            case POINT -> lights.add(new Light.Point(o.point(0), o.colour(3)));
+            case DIRECTIONAL -> lights.add(new Light.Directional(o.direction(0), colour(o, 3)));
+            case POINT -> lights.add(new Light.Point(o.point(0), colour(o, 3)));
             case MAXVERTS -> maxVertices = once(command, o).whole(0, 0, MAX);
             case VERTEX -> vertex(o);
             case TRI -> triangle(o);
@@ -155,8 +191,17 @@ public final class SceneParser {
         }
     }
 
-    private Colour coloured(Colour colour) {
+    private Colour coloured(Operands o) throws Operands.Rejected {
+        Colour colour = colour(o, 0);
         anyColour |= !colour.isBlack();
+        return colour;
+    }
+
+    private Colour colour(Operands o, int first) throws Operands.Rejected {
+        Colour colour = o.colour(first);
+        double max = Math.max(colour.red(), Math.max(colour.green(), colour.blue()));
+        brightestLine = max > brightest ? reader.number : brightestLine;
+        brightest = Math.max(max, brightest);
         return colour;
     }
 
@@ -211,8 +256,20 @@ public final class SceneParser {
     private void output(Operands o) throws Operands.Rejected {
         String name = o.readText(Command.OUTPUT);
         once(Command.OUTPUT, o);
+        if (name.indexOf('\uFFFD') >= 0) {
+            throw o.rejectAll(0, 0, "expected the name of 'output' in UTF-8, found bytes that are none: save the file as UTF-8");
+        }
         output = name;
         outputPlace = ":" + reader.number + ":" + o.column(0);
+    }
+
+    private void shadow(Operands o) throws Operands.Rejected {
+        String word = o.readText(Command.SHADOW);
+        once(Command.SHADOW, o);
+        if (!word.equals("true") && !word.equals("false")) {
+            throw o.rejectAll(0, 0, "expected 'shadow' to be true or false, found '" + word + "'");
+        }
+        shadow = word.equals("true");
     }
 
     private void vertex(Operands o) throws Operands.Rejected {

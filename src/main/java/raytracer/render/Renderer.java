@@ -47,7 +47,8 @@ public final class Renderer {
         ExecutorService pool = Executors.newFixedThreadPool(threads, Renderer::daemon);
         try {
             if (sampling instanceof Sampling.Grid grid) {
-                Tracer enlarged = tracer.enlarged(grid.n());
+                Tracer enlarged = tracer.resized(Math.multiplyExact(grid.n(), tracer.width()),
+                        Math.multiplyExact(grid.n(), tracer.height()));
                 return onAllThreads(pool, () -> work(enlarged, mine -> new GridSampler(mine, grid.n())));
             }
             if (sampling instanceof Sampling.Lattice lattice) {

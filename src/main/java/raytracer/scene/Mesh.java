@@ -38,6 +38,16 @@ public final class Mesh {
                 coordinate(triangle, corner, 0), coordinate(triangle, corner, 1), coordinate(triangle, corner, 2));
     }
 
+    /** The same triangles, each with its first two corners exchanged. */
+    Mesh turned() {
+        int[] turned = corners.clone();
+        for (int i = 0; i < 3 * triangles; i += 3) {
+            turned[i] = corners[i + 1];
+            turned[i + 1] = corners[i];
+        }
+        return new Mesh(coordinates, turned, triangles);
+    }
+
     /** Takes vertices and triangles one at a time, as a file declares them. Good for one mesh. */
     public static final class Builder {
 

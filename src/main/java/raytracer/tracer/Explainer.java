@@ -90,6 +90,7 @@ public final class Explainer {
                 numbers.add(compiled.table().declared()[surface]);
             }
         });
+        numbers.sort(null);
         return numbers;
     }
 
@@ -125,7 +126,7 @@ public final class Explainer {
     }
 
     private Shading shade(LightSource light, Material material) {
-        Shading shading = new Shading(compiled.surfaces(), List.of(light), rays, workspace);
+        Shading shading = new Shading(compiled, List.of(light), rays, workspace);
         shading.shade(0, 1, material);
         return shading;
     }

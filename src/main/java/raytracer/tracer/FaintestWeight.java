@@ -35,7 +35,7 @@ record FaintestWeight(double red, double green, double blue) {
             added = Math.max(added, component.applyAsDouble(m.ambient()) + diffuse + highlight);
             mirror = Math.max(mirror, specular);
         }
-        double depth = tracer.maxDepth();
+        double depth = tracer.scene().maxDepth();
         double sum = mirror < 1 ? 1 / (1 - mirror) : depth * Math.pow(mirror, depth);
         return added == 0 ? Double.POSITIVE_INFINITY : INVISIBLE / added / sum;
     }

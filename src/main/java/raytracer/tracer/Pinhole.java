@@ -12,7 +12,8 @@ import raytracer.tracer.rays.Samples;
 /** The rays of a scene's camera. */
 final class Pinhole {
 
-    private final Scene scene;
+    private final int width;
+    private final int height;
     private final Vector eye;
     private final CameraAxes axes;
 
@@ -23,7 +24,8 @@ final class Pinhole {
     private final Vector backward;
 
     Pinhole(Scene scene) {
-        this.scene = scene;
+        width = scene.width();
+        height = scene.height();
         Camera camera = scene.camera();
         eye = camera.eye();
         axes = CameraAxes.of(camera);
@@ -32,25 +34,12 @@ final class Pinhole {
         double halfHeight = camera.fov() == 90 ? 1 : StrictMath.tan(Math.toRadians(camera.fov() / 2));
         right = axes.right().times(halfHeight);
         up = axes.up().times(halfHeight);
-        backward = axes.backward().times(scene.height());
-    }
-
-    /** The same view in a picture so many times as wide and as high. */
-    Pinhole enlarged(int factor) {
-        return new Pinhole(scene.withSize(Math.multiplyExact(factor, width()), Math.multiplyExact(factor, height())));
-    }
-
-    int width() {
-        return scene.width();
-    }
-
-    int height() {
-        return scene.height();
+        backward = axes.backward().times(height);
     }
 
     /** Makes rays leave the eye through their samples' points. */
     void aim(Rays rays, Samples samples) {
-        int to = rays.count, width = width(), height = height();
+        int to = rays.count;
         double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
         double bx = backward.x(), by = backward.y(), bz = backward.z();
         for (int i = 0; i < to; i++) {

@@ -10,7 +10,6 @@ import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.search.AnyHit;
 import raytracer.tracer.search.Search;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
 /** The light that surfaces of one material send back along a group of rays: Lambert and Blinn-Phong. */
@@ -32,11 +31,12 @@ final class Shading {
     final double[] blue = new double[Batch.CAPACITY];
 
     /** @param rays what is shaded, when it has arrived */
-    Shading(List<Surfaces> surfaces, List<LightSource> lights, Rays rays, Workspace workspace) {
+    Shading(Tracer tracer, List<LightSource> lights, Rays rays, Workspace workspace) {
         this.lights = lights;
         this.rays = rays;
         shadows = new ShadowRays(rays);
-        anyHit = surfaces.stream().map(kind -> AnyHit.among(kind, rays, shadows, workspace)).toArray(Search[]::new);
+        anyHit = tracer.scene().shadow() ? tracer.surfaces().stream()
+                .map(kind -> AnyHit.among(kind, rays, shadows, workspace)).toArray(Search[]::new) : new Search[0];
     }
 
     /** What came out of a ray's shading. */
@@ -44,7 +44,7 @@ final class Shading {
         return new Colour(red[ray], green[ray], blue[ray]);
     }
 
-    /** How many shadow rays were traced since this was made. */
+    /** How many shadow rays were needed since this was made: points that a light might reach. */
     long shadowCount() {
         return shadowCount;
     }

@@ -30,6 +30,7 @@ public final class TileTracer {
     private final Tracer tracer;
     private final Material[] materials;
     private final FaintestWeight faintest;
+    private final Pinhole pinhole;
 
     final Workspace workspace = new Workspace();
     final Rays rays = new Rays();
@@ -56,7 +57,8 @@ public final class TileTracer {
         ties = new Ties(tracer.table().declared(), surfaces, rays, workspace);
         groups = new ShadingGroups(tracer.table());
         closestHit = surfaces.stream().map(kind -> ClosestHit.among(kind, rays, workspace)).toArray(Search[]::new);
-        shading = new Shading(surfaces, tracer.lights(), rays, workspace);
+        pinhole = new Pinhole(tracer.scene());
+        shading = new Shading(tracer, tracer.lights(), rays, workspace);
     }
 
     /** Traces the rays through all of these points, and sets their colours. */
@@ -92,7 +94,7 @@ public final class TileTracer {
         Arrays.fill(samples.green, from, to, 0);
         Arrays.fill(samples.blue, from, to, 0);
         rays.start(from, to - from);
-        tracer.pinhole().aim(rays, samples);
+        pinhole.aim(rays, samples);
         primaryCount += to - from;
     }
 
@@ -146,7 +148,7 @@ public final class TileTracer {
 
     /** Turns every ray into its mirror image; those that may go no deeper, or change their pixel no more, leave. */
     void reflect() {
-        if (depth++ == tracer.maxDepth()) {
+        if (depth++ == tracer.scene().maxDepth()) {
             rays.count = 0;
             return;
         }

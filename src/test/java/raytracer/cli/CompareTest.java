@@ -16,15 +16,15 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.image.Comparison;
 
-@DisplayName("Comparing, as a teacher does:")
+/** Comparing, as a teacher does. */
 class CompareTest extends CommandLine {
 
     private static final String SCENE = "size 12 9\ncamera 0 0 5 0 0 0 0 1 0 45\npoint 3 4 5 .9 .9 .9\nambient .1 .1 .1\n"
@@ -66,10 +66,54 @@ class CompareTest extends CommandLine {
         String b = Files.copy(Path.of(render("b.png")), folder.resolve("hand-in.png")).resolveSibling("b.png").toString();
         String own = file("a.scene", SCENE + "output target/compare-test.png\n");
         assertEquals(3, run(own, b, "--compare", folder.resolve("solutions").toString(), "--quiet"), err());
-        assertEquals(2, out().lines().count(), out());
+        assertEquals(3, out().lines().count(), out());
         assertTrue(out().lines().anyMatch(l -> l.startsWith(own + ": equals ") && l.contains("solutions/a.png")), out());
         assertTrue(out().lines().anyMatch(l -> l.startsWith(b + ": 1 of 108 pixels differ from ")), out());
-        Files.delete(Path.of("target", "compare-test.png"));
+        assertTrue(out().endsWith("2 compared: 1 as they should be, 1 different, 0 failed\n"), out());
+        assertFalse(Files.exists(Path.of("target", "compare-test.png")), "no picture is written");
+        assertTrue(Files.exists(folder.resolve("b-diff.png")));
+    }
+
+    @Test
+    void aClassIsGradedWhateverItsOutputsAreCalled() throws IOException {
+        Files.createDirectory(folder.resolve("ann"));
+        Files.createDirectory(folder.resolve("bob"));
+        Files.createDirectory(folder.resolve("pictures"));
+        String solution = render("solution.png"), stats = folder.resolve("s.json").toString();
+        String right = file("ann/hand-in.scene", SCENE + "output hand-in.png\n");
+        String wrong = file("bob/hand-in.scene", SCENE.replace(".6", ".7") + "output hand-in.png\n");
+        String broken = file("broken.scene", SCENE + "spher\nspher 1\nsphere 1\n"), none = folder.resolve("none.scene").toString();
+        assertEquals(3, run(right, wrong, broken, none, "--compare", solution, "--stats", stats), err());
+        List<String> lines = out().lines().toList();
+        assertEquals(right + ": equals " + solution + " in every pixel", lines.get(0));
+        assertTrue(lines.get(1).startsWith(wrong + ": ") && lines.get(1).endsWith("; see " + folder.resolve("bob/hand-in-diff.png")), out());
+        assertEquals(broken + ": not read: 2 errors", lines.get(2));
+        assertEquals(none + ": not compared: cannot read the scene: no such file or directory", lines.get(3));
+        assertEquals("4 compared: 1 as they should be, 1 different, 2 failed", lines.get(4));
+        assertFalse(Files.exists(Path.of("hand-in.png")), "no picture is written");
+        String json = Files.readString(Path.of(stats));
+        assertEquals(4, json.lines().count(), json);
+        assertTrue(json.startsWith("[{") && json.contains("\"failed\": \"not read: 2 errors\"") && json.contains("\"differing\": 0"), json);
+    }
+
+    @Test
+    void picturesOfSeveralScenesGoIntoAFolderIfThatIsAskedFor() throws IOException {
+        Files.createDirectory(folder.resolve("pictures"));
+        String other = file("b.scene", SCENE);
+        assertEquals(0, run(scene, other, "-o", folder.resolve("pictures").toString(), "--quiet"), err());
+        assertTrue(Files.exists(folder.resolve("pictures/a.png")) && Files.exists(folder.resolve("pictures/b.png")));
+        assertEquals(0, run(scene, "-o", folder + "/pictures/", "--compare", folder.resolve("pictures/b.png").toString()), err());
+        assertEquals(2, run(scene, other, "-o", folder.resolve("none").toString()));
+        assertTrue(err().contains("expected -o to name a folder that is there, for 2 scenes"), err());
+    }
+
+    @Test
+    void aReferenceThatIsDamagedIsSaidToBe() throws IOException {
+        String one = render("one.png");
+        byte[] bytes = Files.readAllBytes(Path.of(one));
+        Path half = Files.write(folder.resolve("half.png"), java.util.Arrays.copyOf(bytes, bytes.length / 2));
+        assertEquals(1, run(scene, "-o", picture, "--compare", half.toString()));
+        assertTrue(err().contains("cannot read the picture " + half + ": it is damaged") && !err().contains("Exception"), err());
     }
 
     @Test

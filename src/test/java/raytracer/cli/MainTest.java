@@ -12,13 +12,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.console.ProgressBar;
 
-@DisplayName("The command line")
+/** The command line. */
 class MainTest extends CommandLine {
 
     private static final String SCENE = """
@@ -90,9 +89,11 @@ class MainTest extends CommandLine {
     void writesStatsAsJson() throws IOException {
         String stats = folder.resolve("stats.json").toString();
         assertEquals(0, run(scene, "-o", picture, "--quiet", "--stats", stats, "--repeat", "3", "--threads", "2"));
-        String json = Files.readString(Path.of(stats)).replaceAll("\\d+\\.\\d{3}", "T");
+        String json = Files.readString(Path.of(stats)).replaceAll("\\d+\\.\\d{4}", "T");
         assertEquals("""
                 {
+                  "program": "(development)",
+                  "java": "%s",
                   "scene": "%s",
                   "width": 8,
                   "height": 6,
@@ -107,7 +108,7 @@ class MainTest extends CommandLine {
                   "planes": 1,
                   "lights": 1
                 }
-                """.formatted(scene), json.replaceAll("shadow\": \\d+", "shadow\": S")
+                """.formatted(Runtime.version(), scene), json.replaceAll("shadow\": \\d+", "shadow\": S")
                 .replaceAll("reflection\": \\d+", "reflection\": R"));
     }
 
@@ -176,11 +177,49 @@ class MainTest extends CommandLine {
         "--repeat many, expected --repeat to be a whole number from 1",
         "--samples 64 --size 100000000x1, expected --samples N to be at most 21 for a picture of 100000000x1",
         "--quiet=yes, --quiet takes no value",
-        "--frobnicate, unknown option '--frobnicate'",
+        "--frobnicate, unknown option '--frobnicate'; see --help",
+        "--exlpain 1 1, unknown option '--exlpain'; did you mean '--explain'?",
+        "-o --quiet, expected a value after -o but found the option --quiet",
+        "--stats -o x.png, expected a value after --stats but found the option -o",
+        "-o x.jpg, expected -o to name a PNG but found 'x.jpg'",
+        "-o - --stats -, expected one of --output and --stats to be '-' but found both",
+        "--check --stats s.json, --check goes without --stats",
+        "--camera 0	0	5	0	0	0	0	1	0	180, --camera:1:26: expected fov of 'camera' to be between 0 and 180 degrees",
         "-x, unknown option '-x'",
         "--stats, expected a value after --stats"})
     void refusesWhatMakesNoSense(String args, String message) {
-        assertRefused(args, message);
+        assertRefused(args, message.replace(" but", ","));
+    }
+
+    @Test
+    void saysWhatAnOptionHasSwallowed() {
+        assertEquals(2, run("--samples", scene));
+        assertTrue(err().contains("expected --samples, if not 'auto', to be a whole number from 1 to 64, found '" + scene + "'"), err());
+        assertEquals(2, run(""));
+        assertTrue(err().contains("expected a scene file, found an empty name"), err());
+    }
+
+    @Test
+    void takesAnotherCamera() throws IOException {
+        String moved = file("b.scene", SCENE.replace("camera 0 0 5 0 0 0 0 1 0 45", "camera 1 2 5 0 .5 0 0 1 .1 30"));
+        assertEquals(0, run(moved, "-o", picture));
+        byte[] expected = Files.readAllBytes(Path.of(picture));
+        assertEquals(0, run(scene, "-o", picture, "--camera", "1 2 5  0 .5 0  0 1 .1  30"));
+        assertArrayEquals(expected, Files.readAllBytes(Path.of(picture)));
+    }
+
+    @Test
+    void writesStatsToStandardOutput() {
+        assertEquals(0, run(scene, "-o", picture, "--quiet", "--stats", "-"));
+        assertTrue(out.toString(StandardCharsets.UTF_8).startsWith("{\n  \"program\": "), out());
+    }
+
+    @Test
+    void tellsANameThatIsNoUtf8WhereItStands() throws IOException {
+        Path latin = folder.resolve("latin.scene");
+        Files.write(latin, (SCENE + "output \u00e9.png\n").getBytes(StandardCharsets.ISO_8859_1));
+        assertEquals(2, run(latin.toString()));
+        assertTrue(err().startsWith(latin + ":9:8: expected the name of 'output' in UTF-8"), err());
     }
 
     @Test
@@ -195,7 +234,7 @@ class MainTest extends CommandLine {
 
     @Test
     void showsProgressInOneLine() {
-        assertEquals("[" + "#".repeat(10) + " ".repeat(30) + "]  25 %, 6 s left  ", ProgressBar.line(.25, 2));
-        assertEquals("[" + " ".repeat(40) + "]   0 %  ", ProgressBar.line(0, 2));
+        assertEquals("[" + "#".repeat(5) + " ".repeat(15) + "]  25 %, 6 s left  ", ProgressBar.line(.25, 2));
+        assertEquals("[" + " ".repeat(20) + "]   0 %  ", ProgressBar.line(0, 2));
     }
 }

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@DisplayName("Files that are there")
+/** Files that are there. */
 class SafetyTest extends CommandLine {
 
     private static final String SCENE = "size 8 6\ncamera 0 0 5 0 0 0 0 1 0 45\nambient .5 .4 .3\nsphere 0 0 0 1\n";

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
@@ -18,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("--watch")
+/** --watch. */
 class WatchTest extends CommandLine {
 
     private static final String TEXT = "size 8 8\ncamera 0 0 5 0 0 0 0 1 0 45\nambient .%d 0 0\nsphere 0 0 0 9\n";
@@ -115,9 +116,65 @@ class WatchTest extends CommandLine {
     }
 
     @Test
-    void doesNotReadStandardInput() {
+    void refusesWhatCanNeverSucceed() throws IOException {
         assertEquals(2, run("--watch", "-"));
-        assertTrue(err().contains("--watch goes with files"));
+        assertEquals(2, run("--watch", folder.toString()));
+        assertTrue(err().contains("--watch goes with files, found standard input"), err());
+        assertTrue(err().contains("--watch goes with files, found the directory " + folder), err());
+        assertEquals(2, run("--watch", scene, "-o", scene));
+        String one = file("one.scene", String.format(TEXT, 1)), two = file("two.scene", String.format(TEXT, 2));
+        assertEquals(2, run("--watch", one, two));
+        assertTrue(err().contains("the picture of " + two + " (output.png) would replace the picture of " + one), err());
         assertFalse(err().contains("fault"));
+    }
+
+    @Test
+    void aSaveThatTakesAWhileIsRenderedWhole() throws Exception {
+        await(1);
+        Files.writeString(Path.of(scene), "size 8 8\ncamera 0 0 5 0 0 0 0 1 0 45\n");
+        Thread.sleep(100);
+        Files.writeString(Path.of(scene), "ambient .8 0 0\nsphere 0 0 0 9\n", StandardOpenOption.APPEND);
+        await(8);
+        assertEquals("", err(), "no black picture in between");
+    }
+
+    @Test
+    void aPictureStaysWhereItIsWhenTheSceneNamesNoOutputAnyMore() throws Exception {
+        Path named = Path.of("target", "watch-test.png"), usual = Path.of("output.png");
+        Files.deleteIfExists(named);
+        String own = file("own.scene", String.format(TEXT, 1) + "output " + named + "\n");
+        Thread other = new Thread(() -> run("--watch", own, "--quiet"));
+        other.start();
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+            while (!Files.exists(named)) {
+                Thread.sleep(2);
+            }
+            Files.delete(named);
+            Files.writeString(Path.of(own), String.format(TEXT, 2));
+            while (!Files.exists(named)) {
+                Thread.sleep(2);
+            }
+        });
+        other.interrupt();
+        other.join();
+        assertFalse(Files.exists(usual));
+        Files.delete(named);
+    }
+
+    @Test
+    void aFileThatIsNotThereYetIsMissedOnce() throws Exception {
+        Path late = folder.resolve("late.scene"), its = folder.resolve("late.png");
+        Thread other = new Thread(() -> run("--watch", late.toString(), "-o", its.toString(), "--quiet"));
+        other.start();
+        Thread.sleep(200);
+        Files.writeString(late, String.format(TEXT, 3));
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+            while (!Files.exists(its)) {
+                Thread.sleep(2);
+            }
+        });
+        other.interrupt();
+        other.join();
+        assertEquals(1, err().lines().filter(line -> line.contains("late.scene: there is no such file")).count(), err());
     }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import raytracer.scene.Vector;
 
-@DisplayName("A tree of boxes")
+/** A tree of boxes. */
 class BoxTreeTest {
 
     @Test

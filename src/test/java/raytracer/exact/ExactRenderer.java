@@ -155,7 +155,7 @@ public final class ExactRenderer {
             }
             Exact far = light instanceof Light.Directional ? null : way.length();
             ExactVector l = way.unit();
-            if (blocked(p, l, far, surface)) {
+            if (scene.shadow() && blocked(p, l, far, surface)) {
                 continue;
             }
             Exact lambert = n.dot(l).sign() > 0 ? n.dot(l) : Exact.ZERO;

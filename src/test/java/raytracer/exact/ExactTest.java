@@ -6,10 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Random;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("Arithmetic of 104 bits")
+/** Arithmetic of 104 bits. */
 class ExactTest {
 
     private static final MathContext DIGITS = new MathContext(60);

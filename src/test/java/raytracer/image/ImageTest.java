@@ -11,7 +11,7 @@ import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("A picture's bytes")
+/** A picture's bytes. */
 class ImageTest {
 
     /** What a colour's component becomes. */

@@ -14,14 +14,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
 /**
  * Scenes that are broken at random: bits flipped, cut, spliced, words exchanged. Some thousands in every build;
  * {@code mvn test -Dtest=FuzzTest -Dmutants=100000} for more.
  */
-@DisplayName("A broken scene")
 class FuzzTest {
 
     private static final int MUTANTS = Integer.getInteger("mutants", 4000);

@@ -10,13 +10,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-@DisplayName("A scene file that breaks the format")
+/** A scene file that breaks the format. */
 class SceneErrorTest {
 
     private static final String HEAD = "size 4 3\ncamera 0 0 5 0 0 0 0 1 0 45\n";
@@ -41,7 +40,7 @@ class SceneErrorTest {
                 of(HEAD + "shininess -", 3, 11, "expected s of 'shininess' to be a decimal number, found '-'"),
                 of(HEAD + "shininess 1e", 3, 11, "expected s of 'shininess' to be a decimal number, found '1e'"),
                 of(HEAD + "shininess e5", 3, 11, "expected s of 'shininess' to be a decimal number, found 'e5'"),
-                of(HEAD + "shininess 1,5", 3, 11, "expected s of 'shininess' to be a decimal number, found '1,5'"),
+                of(HEAD + "shininess 1,5", 3, 11, "expected s of 'shininess' to be a decimal number with a point, as 1.5, found '1,5'"),
                 of(HEAD + "shininess 1e999", 3, 11,
                         "expected s of 'shininess' to be within a double's range (1.8e308), found '1e999'"),
                 // Lengths of which squares overflow or are lost.
@@ -71,8 +70,26 @@ class SceneErrorTest {
                 of(HEAD + "Plane 0 0 0 0 0 1", 3, 1, "expected a command, found 'Plane'; did you mean 'plane'?"),
                 of(HEAD + "translate 1 2 3", 3, 1, "expected a command, found 'translate'; the format has no"
                         + " transformations: write coordinates out"),
-                of(HEAD + "shadow true", 3, 1,
-                        "expected a command, found 'shadow'; shadows are always on: take the line out"),
+                of(HEAD + "shadow", 3, 7, "expected true or false after 'shadow', found none"),
+                of(HEAD + "shadow on", 3, 8, "expected 'shadow' to be true or false, found 'on'"),
+                of(HEAD + "shadow true\nshadow false", 4, 1, "expected 'shadow' once, found it again (first on line 3)"),
+                of("SIZE 4 3\ncamera 0 0 5 0 0 0 0 1 0 45\n", 1, 1, "expected a command, found 'SIZE'; did you mean 'size'?"),
+                of(HEAD + "v 1 2 3", 3, 1, "expected a command, found 'v'; this is an OBJ file's: here it is 'maxverts n',"
+                        + " 'vertex x y z', and 'tri i j k' from 0 on (README has a recipe)"),
+                of(HEAD + "vn 1 2 3", 3, 1,
+                        "expected a command, found 'vn'; triangles are flat, of one colour: use 'maxverts', 'vertex' and 'tri'"),
+                of(HEAD + "triangle 1 2 3", 3, 1,
+                        "expected a command, found 'triangle'; 'tri i j k' is one, of three vertices declared above"),
+                of(HEAD + "colour 1 1 1", 3, 1,
+                        "expected a command, found 'colour'; 'diffuse r g b' holds for the shapes after it"),
+                of(HEAD + "Light 1 1 1", 3, 1,
+                        "expected a command, found 'Light'; 'point x y z r g b' or 'directional x y z r g b'"),
+                of(HEAD + "lens 1", 3, 1,
+                        "expected a command, found 'lens'; the camera is a pinhole, and all is sharp: take the line out"),
+                of(HEAD + "index 1.5", 3, 1,
+                        "expected a command, found 'index'; nothing can be seen through: take the line out"),
+                of(HEAD + "PushTransform", 3, 1, "expected a command, found 'PushTransform'; the format has no"
+                        + " transformations: write coordinates out"),
                 of(HEAD + "emission 1 1 1", 3, 1, "expected a command, found 'emission'; add its colour to 'ambient'"),
                 of(HEAD + "cone 1\n".repeat(3), 3, 1, "expected a command, found 'cone' (on 3 lines)"),
                 of(HEAD + "sphere\u00A0 0 .6 0 .6", 3, 1,
@@ -113,6 +130,8 @@ class SceneErrorTest {
                 of(HEAD + "output # a.png", 3, 7, "expected a name after 'output', found none"),
                 of(HEAD + "output a.png\noutput b.png", 4, 1,
                         "expected 'output' once, found it again (first on line 3)"),
+                of(new String(new byte[] {'\n'}, StandardCharsets.UTF_8) + HEAD + "spher", 4, 1,
+                        "expected a command, found 'spher'; did you mean 'sphere'?"),
                 // maxdepth
                 of(HEAD + "maxdepth 0", 3, 10,
                         "expected n of 'maxdepth' to be a whole number from 1 to 2147483647, found '0'"),

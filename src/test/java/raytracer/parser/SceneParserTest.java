@@ -20,7 +20,7 @@ import raytracer.scene.Scene;
 import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 
-@DisplayName("A valid scene file")
+/** A valid scene file. */
 class SceneParserTest {
 
     /** Before any material command. */

@@ -25,7 +25,6 @@ import raytracer.tracer.Tracer;
  * The project's own scenes against images that the exact judge made in 104 bits, and an independent renderer in 128
  * ({@code src/test/scripts/regenerate-references}). Not one pixel may differ.
  */
-@DisplayName("The picture of")
 class ReferenceTest {
 
     private static final Path SCENES = Path.of("scenes");

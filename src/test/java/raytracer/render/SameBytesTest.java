@@ -3,7 +3,6 @@ package raytracer.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracer.image.Image;
@@ -13,7 +12,6 @@ import raytracer.stability.NearTies;
 import raytracer.tracer.Tracer;
 
 /** Where rounding alone decides what is seen, a choice made in turns would show here. */
-@DisplayName("The bytes of surfaces that rounding cannot tell apart do not depend on")
 class SameBytesTest {
 
     private static final int WIDTH = 200;

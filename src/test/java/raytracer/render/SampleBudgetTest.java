@@ -6,10 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
-@DisplayName("A budget of samples")
+/** A budget of samples. */
 class SampleBudgetTest {
 
     /** C of the edges' errors, squared, if few samples are off by as much as a grid of them at an edge. */

@@ -13,7 +13,6 @@ import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,7 +24,7 @@ import raytracer.scene.Scene;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.Tracer;
 
-@DisplayName("Samples")
+/** Samples. */
 class SamplingTest {
 
     /** Thin things: a needle about a pixel wide, one of half that, and balls so far away that many share a pixel. */

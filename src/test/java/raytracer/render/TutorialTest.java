@@ -19,7 +19,7 @@ import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
 import raytracer.tracer.Tracer;
 
-@DisplayName("README's tutorial")
+/** README's tutorial. */
 class TutorialTest {
 
     private static final Path PICTURES = Path.of("src/site/pictures");
@@ -54,7 +54,7 @@ class TutorialTest {
     }
 
     @Test
-    @DisplayName("shows each step as it is rendered, small and smooth, and no step has a warning")
+    @DisplayName("shows each step as it is rendered, and no step has a warning")
     void showsEachStep() throws Exception {
         List<String> steps = steps();
         assertTrue(steps.size() > 4, steps.size() + " steps");
@@ -62,10 +62,9 @@ class TutorialTest {
             ParsedScene parsed = Scenes.parse(steps.get(n - 1));
             assertEquals(List.of(), parsed.warnings());
             BufferedImage shown = ImageIO.read(PICTURES.resolve("tutorial-" + n + ".png").toFile());
-            Scene scene = parsed.scene().withSize(shown.getWidth(), shown.getHeight());
+            Scene scene = parsed.scene();
             Image image = new Image(scene.width(), scene.height());
-            new Renderer(Tracer.compile(scene), new Sampling.Grid(4), 1, Region.whole(scene.width(), scene.height()),
-                    image).render();
+            Rendering.of(Tracer.compile(scene), 1, image).render();
             assertEquals(0, Difference.between(image.toBufferedImage(), shown).pixels(), "step " + n);
         }
     }

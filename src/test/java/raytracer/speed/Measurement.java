@@ -112,7 +112,7 @@ final class Measurement {
      */
     String raysByKind() {
         Scene lit = scene.withMaxDepth(1);
-        Scene dark = new Scene(scene.width(), scene.height(), scene.camera(), 1, List.of(), scene.shapes(), scene.mesh(), "");
+        Scene dark = new Scene(scene.width(), scene.height(), scene.camera(), 1, true, List.of(), scene.shapes(), scene.mesh(), "");
         RayCounts[] counts = new RayCounts[3];
         double[] ms = traceInTurns(List.of(dark, lit, scene), counts);
         long reflected = counts[2].reflection();

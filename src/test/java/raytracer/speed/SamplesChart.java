@@ -97,8 +97,8 @@ class SamplesChart {
     private void write(Map<String, Measured> all, double floor) throws Exception {
         List<String> csv = new ArrayList<>(List.of("# " + Origin.text(), "setting,median ms,rmse"));
         Panel panel = new Panel("", "milliseconds of tracing, " + THREADS + " threads", "RMSE of a range of [0, 1]",
-                floor, "our reference's own error: below it nothing is known");
-        panel.line(Sampling.Within.INVISIBLE, "RMSE of 1/255");
+                floor);
+        panel.limit(Sampling.Within.INVISIBLE);
         for (Map.Entry<String, Measured> e : all.entrySet()) {
             Measured m = e.getValue();
             csv.add(String.format(Locale.ROOT, "%s,%.1f,%.6f", e.getKey(), m.median(), m.error));
@@ -109,12 +109,14 @@ class SamplesChart {
         csv.forEach(System.out::println);
         Files.write(SITE.resolve("samples.csv"), csv, StandardCharsets.UTF_8);
         Figure figure = new Figure("Smooth edges by many ways: scenes/final.scene, "
-                + scene.width() + "x" + scene.height(), "Each against what it comes to itself. " + Origin.text(), 1, 900, 500);
+                + scene.width() + "x" + scene.height(), "Each against what it comes to itself. " + Origin.text(), 1, 720, 500);
         figure.add(panel);
         figure.explain(2, "n x n samples");
         figure.explain(4, "as many as an error takes");
         figure.explain(0, "POV-Ray");
         figure.explainBars("fastest and slowest");
+        figure.explainLimit("RMSE of 1/255");
+        figure.explainBand("our reference's own error");
         figure.explainFront("no setting measured is faster and as accurate");
         Files.writeString(SITE.resolve("samples.svg"), figure.svg());
     }

@@ -16,7 +16,7 @@ import raytracer.scene.Camera;
 import raytracer.scene.Vector;
 import raytracer.tracer.Pictures;
 
-@DisplayName("The rest of the arithmetic holds:")
+/** The rest of the arithmetic holds. */
 class ArithmeticStabilityTest {
 
     @Test

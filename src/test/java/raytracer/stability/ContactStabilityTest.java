@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.scene.Vector;
 import raytracer.tracer.Probe;
 
-@DisplayName("Where surfaces touch,")
+/** Where surfaces touch. */
 class ContactStabilityTest {
 
     private static final int POINTS = 5_000;

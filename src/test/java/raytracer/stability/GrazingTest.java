@@ -11,7 +11,6 @@ import java.util.function.IntBinaryOperator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.api.DisplayName;
 import raytracer.exact.ExactRenderer;
 import raytracer.image.Image;
 import raytracer.parser.Scenes;
@@ -26,7 +25,6 @@ import raytracer.tracer.Tracer;
 import raytracer.tracer.rays.Samples;
 
 /** {@code mvn test -Dtest=GrazingTest -Dseeds=1000} tries that many scenes of each floor. */
-@DisplayName("Where rays graze a floor")
 class GrazingTest {
 
     private static final int SEEDS = Integer.getInteger("seeds", 30);

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.scene.Vector;
 import raytracer.tracer.Pictures;
 
-@DisplayName("Mirrors hold where recursion and drift fail:")
+/** Mirrors hold where recursion and drift fail. */
 class MirrorStabilityTest {
 
     private static final String CORRIDOR = "size 3 3\ncamera .1 .2 .3 1 .3 .35 0 1 0 40\nmaxdepth %d\n"

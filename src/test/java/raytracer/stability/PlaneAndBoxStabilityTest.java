@@ -14,7 +14,7 @@ import raytracer.exact.ExactKernels;
 import raytracer.scene.Vector;
 import raytracer.tracer.Probe;
 
-@DisplayName("Planes and boxes hold where fixed limits and NaN fail:")
+/** Planes and boxes hold where fixed limits and NaN fail. */
 class PlaneAndBoxStabilityTest {
 
     @ParameterizedTest(name = "a floor is seen {0} away from height 1")

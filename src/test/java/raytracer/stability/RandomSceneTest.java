@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracer.exact.ExactRenderer;
@@ -19,7 +18,6 @@ import raytracer.tracer.Tracer;
  * Random scenes against the format in 104 bits, pixel for pixel. {@code mvn test -Dseeds=500} tries that many scenes of
  * each family.
  */
-@DisplayName("No pixel is wrong in random scenes of the family")
 class RandomSceneTest {
 
     private static final int SEEDS = Integer.getInteger("seeds", 40);

@@ -17,7 +17,7 @@ import raytracer.scene.Vector;
 import raytracer.tracer.Pictures;
 import raytracer.tracer.Probe;
 
-@DisplayName("Spheres hold where the quadratic formula fails:")
+/** Spheres hold where the quadratic formula fails. */
 class SphereStabilityTest {
 
     private static final int RAYS = 20_000;

@@ -17,7 +17,7 @@ import raytracer.exact.ExactKernels;
 import raytracer.scene.Vector;
 import raytracer.tracer.Probe;
 
-@DisplayName("Triangles hold where Moeller and Trumbore's test with an epsilon fails:")
+/** Triangles hold where Moeller and Trumbore's test with an epsilon fails. */
 class TriangleStabilityTest {
 
     private static final int RAYS = 20_000;

@@ -15,7 +15,7 @@ import raytracer.parser.Scenes;
 import raytracer.scene.Colour;
 import raytracer.scene.Scene;
 
-@DisplayName("What explains a pixel")
+/** What explains a pixel. */
 class ExplainerTest {
 
     private static final int WIDTH = 32;

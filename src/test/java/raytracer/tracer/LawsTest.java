@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,7 +31,6 @@ import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
 /** Laws that hold for every scene, whatever its picture is. */
-@DisplayName("A picture")
 class LawsTest {
 
     private static final int SPHERES = 60;

@@ -16,7 +16,7 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.search.Ties;
 
-@DisplayName("A ray")
+/** A ray. */
 class MeetingTest {
 
     private static final Vector FORWARD = new Vector(0, 0, -1);

@@ -13,7 +13,7 @@ import raytracer.parser.Scenes;
 import raytracer.scene.Scene;
 import raytracer.tracer.rays.Samples;
 
-@DisplayName("Samples that are traced together")
+/** Samples that are traced together. */
 class SamplesTest {
 
     private static final int SIDE = 16;

@@ -7,14 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.Arrays;
 import org.junit.jupiter.api.Assertions;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.tracer.arithmetic.Rounding;
 
 /** Colours computed by hand. The pixel looks from (0, 0, 5) at the origin. */
-@DisplayName("The colour of a hit")
 class ShadingTest {
 
     /** A few roundings of numbers near 1. */

@@ -9,24 +9,18 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import raytracer.parser.Scenes;
-import raytracer.scene.Light;
-import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.stability.NearTies;
 import raytracer.tracer.arithmetic.Batch;
-import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Samples;
-import raytracer.tracer.surface.SurfaceTable;
-import raytracer.tracer.surface.Surfaces;
 
-@DisplayName("Of surfaces that rounding cannot tell apart")
+/** Of surfaces that rounding cannot tell apart. */
 class TiesTest {
 
     private static final int WIDTH = 40;
@@ -36,28 +30,16 @@ class TiesTest {
 
     /** A scene to be searched in ways that a test chooses. */
     private static final class Searched {
-        private final Pinhole pinhole;
-        private final List<Surfaces> surfaces;
-        private final SurfaceTable table;
-        private final List<LightSource> lights = new ArrayList<>();
-        private final int maxDepth;
+        private final Tracer compiled;
 
         Searched(String text) throws Exception {
-            Scene scene = Scenes.parse(text).scene();
-            pinhole = new Pinhole(scene);
-            for (Light light : scene.lights()) {
-                lights.add(LightSource.of(light));
-            }
-            SurfaceCompiler compiler = new SurfaceCompiler(scene);
-            surfaces = compiler.surfaces();
-            table = compiler.table();
-            maxDepth = scene.maxDepth();
+            compiled = Tracer.compile(Scenes.parse(text).scene());
         }
 
         /** All pixels' red, in tiles whose beams are as narrow as can be for so many rays. */
         double[] tiled(int side) {
             double[] red = new double[WIDTH * HEIGHT];
-            TileTracer tracer = new TileTracer(new Tracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong()));
+            TileTracer tracer = compiled.newTileTracer();
             Samples samples = new Samples();
             for (int top = 0; top < HEIGHT; top += side) {
                 for (int left = 0; left < WIDTH; left += side) {
@@ -76,7 +58,7 @@ class TiesTest {
             double[] red = new double[WIDTH * HEIGHT];
             List<Integer> pixels = new ArrayList<>(IntStream.range(0, red.length).boxed().toList());
             Collections.shuffle(pixels, new Random(1));
-            TileTracer tracer = new TileTracer(new Tracer(pinhole, surfaces, table, lights, maxDepth, new AtomicLong()));
+            TileTracer tracer = compiled.newTileTracer();
             Samples samples = new Samples();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));

@@ -7,14 +7,13 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Random;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import raytracer.scene.Vector;
 
-@DisplayName("The tree")
+/** The tree. */
 public class BvhTest {
 
     /** Cubes as things: six numbers each. */

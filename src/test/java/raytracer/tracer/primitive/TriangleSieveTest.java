@@ -16,7 +16,7 @@ import raytracer.tracer.bvh.BvhBuilder;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.surface.SieveLine;
 
-@DisplayName("The sieve of triangles")
+/** The sieve of triangles. */
 class TriangleSieveTest {
 
     private static final int COUNT = 300;

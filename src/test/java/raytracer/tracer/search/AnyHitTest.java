@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import raytracer.scene.Colour;
@@ -29,7 +28,7 @@ import raytracer.tracer.rays.ShadowRays;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
-@DisplayName("The search for any hit")
+/** The search for any hit. */
 class AnyHitTest {
 
     private static final int COUNT = 500;

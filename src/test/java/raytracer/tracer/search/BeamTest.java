@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.BitSet;
 import java.util.Random;
-import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,7 +16,7 @@ import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.RayIntervals;
 import raytracer.tracer.rays.Rays;
 
-@DisplayName("A beam")
+/** A beam. */
 class BeamTest {
 
     private static final int RAYS = 40;
