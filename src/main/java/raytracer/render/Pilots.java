@@ -68,7 +68,7 @@ final class Pilots {
     /** Samples pilots of tiles that no other thread has taken. */
     RayCounts sample() {
         TileTracer mine = tracer.newTileTracer();
-        SampleQueue queue = new SampleQueue(mine);
+        SampleQueue queue = new SampleQueue(mine, true);
         for (int i; (i = next.getAndIncrement()) < byTile.length; ) {
             byTile[i] = sample((long) i * stride, queue);
         }
@@ -88,11 +88,12 @@ final class Pilots {
         Region tile = tiles.get(number);
         PixelMeans means = new PixelMeans(count);
         queue.start(means);
+        Pattern pattern = Pattern.lattice(samples, 0);
         for (int i = 0; i < count; i++) {
             // A lattice, and not the same one in each tile, as pictures may be regular.
             double x = number * Math.sqrt(2) + (i + 0.5) / count, y = (number + i) * GOLDEN;
-            queue.add(i, tile.x() + (int) (tile.width() * (x - Math.floor(x))),
-                    tile.y() + (int) (tile.height() * (y - Math.floor(y))), samples, 0);
+            queue.add(i, pattern, tile.x() + (int) (tile.width() * (x - Math.floor(x))),
+                    tile.y() + (int) (tile.height() * (y - Math.floor(y))));
         }
         queue.flush();
         return means;

@@ -20,19 +20,39 @@ final class PixelMeans {
         count = new int[pixels];
     }
 
-    /** Adds sample i to a pixel, cut to [0, 1] as if it were its colour. */
-    void add(Samples samples, int i, int pixel) {
-        double r = cut(samples.red[i]), g = cut(samples.green[i]), b = cut(samples.blue[i]);
-        red[pixel] += r;
-        green[pixel] += g;
-        blue[pixel] += b;
-        squares[pixel] += r * r + g * g + b * b;
-        count[pixel]++;
+    /** Cuts the colours of all samples to [0, 1], as if they were pixels'; what is no number stays none. */
+    static void cut(Samples samples) {
+        cut(samples.red, samples.count());
+        cut(samples.green, samples.count());
+        cut(samples.blue, samples.count());
     }
 
-    /** To [0, 1]; what is no number stays none. */
-    static double cut(double c) {
-        return c < 0 ? 0 : c > 1 ? 1 : c;
+    private static void cut(double[] component, int to) {
+        for (int i = 0; i < to; i++) {
+            component[i] = Math.min(1, Math.max(0, component[i]));
+        }
+    }
+
+    /** Adds samples, from one up to before another, that are cut, to a pixel. */
+    void add(Samples samples, int from, int to, int pixel) {
+        double r = red[pixel], g = green[pixel], b = blue[pixel];
+        for (int i = from; i < to; i++) {
+            r += samples.red[i];
+            g += samples.green[i];
+            b += samples.blue[i];
+        }
+        red[pixel] = r;
+        green[pixel] = g;
+        blue[pixel] = b;
+        count[pixel] += to - from;
+    }
+
+    /** Adds what the same samples' variance is computed from. */
+    void addSquares(Samples samples, int from, int to, int pixel) {
+        for (int i = from; i < to; i++) {
+            double r = samples.red[i], g = samples.green[i], b = samples.blue[i];
+            squares[pixel] += r * r + g * g + b * b;
+        }
     }
 
     /** The variance of a pixel's samples: the mean of the three components'. */

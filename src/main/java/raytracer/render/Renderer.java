@@ -12,6 +12,7 @@ import raytracer.tracer.PixelSink;
 import raytracer.tracer.RayCounts;
 import raytracer.tracer.TileTracer;
 import raytracer.tracer.Tracer;
+import raytracer.tracer.rays.Samples;
 
 /**
  * Renders a picture, or a part of one, in tiles from the top down on a fixed number of threads. Each takes the next
@@ -46,13 +47,16 @@ public final class Renderer {
     public RayCounts render() {
         ExecutorService pool = Executors.newFixedThreadPool(threads, Renderer::daemon);
         try {
+            if (sampling.equals(Sampling.CENTRES)) {
+                return onAllThreads(pool, () -> work(tracer, mine -> new CentreSampler(mine, new Samples())));
+            }
             if (sampling instanceof Sampling.Grid grid) {
                 Tracer enlarged = tracer.resized(Math.multiplyExact(grid.n(), tracer.width()),
                         Math.multiplyExact(grid.n(), tracer.height()));
-                return onAllThreads(pool, () -> work(enlarged, mine -> new GridSampler(mine, grid.n())));
+                return onAllThreads(pool, () -> work(enlarged, mine -> new PatternSampler(mine, Pattern.grid(grid.n()))));
             }
             if (sampling instanceof Sampling.Lattice lattice) {
-                return onAllThreads(pool, () -> work(tracer, mine -> new LatticeSampler(new SampleQueue(mine), lattice)));
+                return renderLattice(lattice, pool);
             }
             return renderWithin(((Sampling.Within) sampling).error(), pool);
         } finally {
@@ -67,8 +71,12 @@ public final class Renderer {
             pilots.startRound();
             before = before.plus(onAllThreads(pool, pilots::sample));
         } while (pilots.areCoarse(pilots.samples()));
-        Sampling.Lattice lattice = new Sampling.Lattice(pilots.samples(), 0);
-        return before.plus(onAllThreads(pool, () -> work(tracer, mine -> new LatticeSampler(new SampleQueue(mine), lattice))));
+        return before.plus(renderLattice(new Sampling.Lattice(pilots.samples(), 0), pool));
+    }
+
+    private RayCounts renderLattice(Sampling.Lattice lattice, ExecutorService pool) {
+        return onAllThreads(pool, () -> work(tracer,
+                mine -> new PatternSampler(mine, Pattern.lattice(lattice.count(), lattice.seed()))));
     }
 
     private RayCounts onAllThreads(ExecutorService pool, Callable<RayCounts> work) {

@@ -41,6 +41,11 @@ public record Vector(double x, double y, double z) {
         return new Vector(a / length, b / length, c / length);
     }
 
+    /** Coordinate 0, 1 or 2: x, y or z. */
+    public double coordinate(int axis) {
+        return axis == 0 ? x : axis == 1 ? y : z;
+    }
+
     public boolean isZero() {
         return x == 0 && y == 0 && z == 0;
     }

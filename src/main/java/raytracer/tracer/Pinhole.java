@@ -37,21 +37,21 @@ final class Pinhole {
         backward = axes.backward().times(height);
     }
 
-    /** Makes rays leave the eye through their samples' points. */
-    void aim(Rays rays, Samples samples) {
+    /** Makes rays leave the eye through their samples' points. @param from the first ray's sample */
+    void aim(Rays rays, Samples samples, int from) {
         int to = rays.count;
+        // Twice the position less the size is exact for pixels' centres in a picture of any size.
+        double[] x = samples.x, y = samples.y, dx = rays.dx, dy = rays.dy, dz = rays.dz;
         double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
         double bx = backward.x(), by = backward.y(), bz = backward.z();
         for (int i = 0; i < to; i++) {
-            int sample = rays.pixel[i];
-            // Twice the position less the size is exact for pixels' centres in a picture of any size.
-            double a = 2 * samples.x[sample] - width, b = height - 2 * samples.y[sample];
-            rays.dx[i] = a * rx + b * ux - bx;
-            rays.dy[i] = a * ry + b * uy - by;
-            rays.dz[i] = a * rz + b * uz - bz;
+            double a = 2 * x[from + i] - width, b = height - 2 * y[from + i];
+            dx[i] = a * rx + b * ux - bx;
+            dy[i] = a * ry + b * uy - by;
+            dz[i] = a * rz + b * uz - bz;
         }
+        setIntervals(rays, samples.bounds);
         // Nothing is hit yet: the distances have room for the lengths.
-        rays.axes = axes;
         rays.direction.normalise(rays.distance, 0, to);
         Arrays.fill(rays.directionError, 0, to, Rounding.EYE_DIRECTION);
         Arrays.fill(rays.ox, 0, to, eye.x());
@@ -59,5 +59,15 @@ final class Pinhole {
         Arrays.fill(rays.oz, 0, to, eye.z());
         Arrays.fill(rays.originError, 0, to, 0);
         Arrays.fill(rays.slide, 0, to, 0);
+    }
+
+    /** The directions' intervals, in units of what is computed above: each is greatest and least at a corner. */
+    private void setIntervals(Rays rays, double[] bounds) {
+        for (int axis = 0; axis < 3; axis++) {
+            double r = right.coordinate(axis), u = up.coordinate(axis);
+            double a = 2 * bounds[0] - width, b = 2 * bounds[1] - width, c = height - 2 * bounds[3], d = height - 2 * bounds[2];
+            rays.minEyeDirection[axis] = (r > 0 ? a : b) * r + (u > 0 ? c : d) * u - backward.coordinate(axis);
+            rays.maxEyeDirection[axis] = (r > 0 ? b : a) * r + (u > 0 ? d : c) * u - backward.coordinate(axis);
+        }
     }
 }

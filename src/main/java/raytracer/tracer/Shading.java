@@ -76,71 +76,120 @@ final class Shading {
      * return any; returns how many.
      */
     private int findReflectance(Material material, int from, int to) {
-        boolean diffuse = !material.diffuse().isBlack(), specular = !material.specular().isBlack();
-        boolean alwaysSpecular = specular && material.shininess() <= 0;
+        double[] nx = rays.nx, ny = rays.ny, nz = rays.nz, lx = shadows.dx, ly = shadows.dy, lz = shadows.dz;
+        double[] lambert = shadows.lambert, highlight = shadows.highlight;
+        for (int i = from; i < to; i++) {
+            lambert[i] = nx[i] * lx[i] + ny[i] * ly[i] + nz[i] * lz[i];
+        }
+        if (!material.specular().isBlack()) {
+            findHighlights(from, to);
+        } else {
+            Arrays.fill(highlight, from, to, 0);
+        }
+        boolean diffuse = !material.diffuse().isBlack();
+        boolean alwaysSpecular = !material.specular().isBlack() && material.shininess() <= 0;
         int count = 0;
         for (int i = from; i < to; i++) {
-            double nx = rays.nx[i], ny = rays.ny[i], nz = rays.nz[i];
-            double lx = shadows.dx[i], ly = shadows.dy[i], lz = shadows.dz[i];
-            double lambert = nx * lx + ny * ly + nz * lz;
-            double highlight = 0;
-            if (specular) {
-                // The half vector, not of length 1: the cosine is divided by its length instead.
-                double hx = lx - rays.dx[i], hy = ly - rays.dy[i], hz = lz - rays.dz[i];
-                highlight = (nx * hx + ny * hy + nz * hz)
-                        / Math.max(Math.sqrt(hx * hx + hy * hy + hz * hz), Double.MIN_NORMAL);
-            }
-            shadows.lambert[i] = lambert;
-            shadows.highlight[i] = highlight;
-            boolean adds = shadows.distance[i] > 0 && (diffuse && lambert > 0 || alwaysSpecular || highlight > 0);
+            boolean adds = shadows.distance[i] > 0 && (diffuse && lambert[i] > 0 || alwaysSpecular || highlight[i] > 0);
             shadows.unoccluded[i] = adds;
             count += adds ? 1 : 0;
         }
         return count;
     }
 
-    /** Adds what the surface returns of the light, to the rays whose shadow rays are unoccluded. */
-    private void addLight(Material material, Colour ofLight, int from, int to) {
-        Colour diffuse = material.diffuse(), specular = material.specular();
-        boolean isShiny = !specular.isBlack();
+    /** The cosines of the half vectors, which are not of length 1: the cosines are divided by their lengths instead. */
+    private void findHighlights(int from, int to) {
+        double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, lx = shadows.dx, ly = shadows.dy, lz = shadows.dz;
+        double[] nx = rays.nx, ny = rays.ny, nz = rays.nz, cosine = shadows.highlight, square = shadows.halfSquare;
         for (int i = from; i < to; i++) {
-            if (shadows.unoccluded[i]) {
-                double lambert = cut(shadows.lambert[i]);
-                double highlight = isShiny ? power(cut(shadows.highlight[i]), material.shininess()) : 0;
-                red[i] = plus(red[i], ofLight.red(), diffuse.red(), lambert, specular.red(), highlight);
-                green[i] = plus(green[i], ofLight.green(), diffuse.green(), lambert, specular.green(), highlight);
-                blue[i] = plus(blue[i], ofLight.blue(), diffuse.blue(), lambert, specular.blue(), highlight);
-            }
+            double h = lx[i] - dx[i];
+            cosine[i] = nx[i] * h;
+            square[i] = h * h;
+        }
+        for (int i = from; i < to; i++) {
+            double h = ly[i] - dy[i];
+            cosine[i] += ny[i] * h;
+            square[i] += h * h;
+        }
+        for (int i = from; i < to; i++) {
+            double h = lz[i] - dz[i];
+            cosine[i] += nz[i] * h;
+            square[i] += h * h;
+        }
+        for (int i = from; i < to; i++) {
+            cosine[i] /= Math.max(Math.sqrt(square[i]), Double.MIN_NORMAL);
         }
     }
 
-    /** Adds the light to one component of a colour; an infinite highlight of a black component adds nothing. */
-    private static double plus(
-            double sum, double light, double diffuse, double lambert, double specular, double highlight) {
-        double withDiffuse = sum + light * (diffuse * lambert);
-        return light == 0 || specular == 0 ? withDiffuse : withDiffuse + light * (specular * highlight);
+    /** Adds what the surface returns of the light, to the rays whose shadow rays are unoccluded. */
+    private void addLight(Material material, Colour light, int from, int to) {
+        double[] lambert = shadows.lambert, highlight = shadows.highlight;
+        cut(lambert, from, to);
+        if (!material.specular().isBlack()) {
+            cut(highlight, from, to);
+            raise(highlight, material.shininess(), from, to);
+        }
+        for (int i = from; i < to; i++) {
+            if (!shadows.unoccluded[i]) {
+                lambert[i] = 0;
+                highlight[i] = 0;
+            }
+        }
+        Colour diffuse = material.diffuse(), specular = material.specular();
+        add(red, light.red(), diffuse.red(), specular.red(), from, to);
+        add(green, light.green(), diffuse.green(), specular.green(), from, to);
+        add(blue, light.blue(), diffuse.blue(), specular.blue(), from, to);
     }
 
-    private static double cut(double cosine) {
-        return Math.min(1, Math.max(0, cosine));
+    private static void cut(double[] cosine, int from, int to) {
+        for (int i = from; i < to; i++) {
+            cosine[i] = Math.min(1, Math.max(0, cosine[i]));
+        }
+    }
+
+    /** Adds the light to one component of colours; an infinite highlight of a black component adds nothing. */
+    private void add(double[] sum, double light, double diffuse, double specular, int from, int to) {
+        double[] lambert = shadows.lambert, highlight = shadows.highlight;
+        if (light == 0 || specular == 0) {
+            for (int i = from; i < to; i++) {
+                sum[i] += light * (diffuse * lambert[i]);
+            }
+            return;
+        }
+        for (int i = from; i < to; i++) {
+            sum[i] = sum[i] + light * (diffuse * lambert[i]) + light * (specular * highlight[i]);
+        }
     }
 
     /**
-     * A highlight to the power of s. Whole exponents are multiplied out: that rounds by at most 2u s, no more than what
+     * Raises highlights to the power of s. Whole exponents are multiplied out: that rounds by at most 2u s, no more than what
      * an error of the highlight by 2u grows to.
      */
-    private static double power(double highlight, double s) {
+    private void raise(double[] highlight, double s, int from, int to) {
         int n = (int) Math.abs(s);
+        double[] square = shadows.halfSquare;
         if (n != Math.abs(s) || n > MAX_MULTIPLIED) {
-            return Math.pow(highlight, s);
-        }
-        double power = 1;
-        for (double square = highlight; n > 0; n >>= 1) {
-            if ((n & 1) == 1) {
-                power *= square;
+            for (int i = from; i < to; i++) {
+                highlight[i] = shadows.unoccluded[i] ? Math.pow(highlight[i], s) : 0;
             }
-            square *= square;
+            return;
         }
-        return s < 0 ? 1 / power : power;
+        System.arraycopy(highlight, from, square, from, to - from);
+        Arrays.fill(highlight, from, to, 1);
+        for (; n > 0; n >>= 1) {
+            if ((n & 1) == 1) {
+                for (int i = from; i < to; i++) {
+                    highlight[i] *= square[i];
+                }
+            }
+            for (int i = from; i < to; i++) {
+                square[i] *= square[i];
+            }
+        }
+        if (s < 0) {
+            for (int i = from; i < to; i++) {
+                highlight[i] = 1 / highlight[i];
+            }
+        }
     }
 }

@@ -24,8 +24,8 @@ public final class TileTracer {
      * While cold, batches are small, so that methods are compiled for their number of calls and not on-stack
      * (-XX:Tier4MinInvocationThreshold, -XX:Tier4BackEdgeThreshold).
      */
-    private static final int COLD_CAPACITY = 40;
-    private static final int COLD_RAYS = 5000 * COLD_CAPACITY;
+    private static final int COLD_CAPACITY = Integer.getInteger("cc", 40);
+    private static final int COLD_RAYS = Integer.getInteger("cr", 5000) * COLD_CAPACITY;
 
     private final Tracer tracer;
     private final Material[] materials;
@@ -38,6 +38,7 @@ public final class TileTracer {
     private final Search[] closestHit;
     private final ShadingGroups groups;
     private final Shading shading;
+    private final Search[] steps = {(a, b) -> findClosestHits(), (a, b) -> moveToHits(), (a, b) -> shade(), (a, b) -> addToSamples(), (a, b) -> reflect()};
     private final int[] kept = new int[Batch.CAPACITY];
 
     /** How many surfaces the paths of this round's rays have hit with the one that they hit now. */
@@ -64,8 +65,8 @@ public final class TileTracer {
     /** Traces the rays through all of these points, and sets their colours. */
     public void trace(Samples all) {
         int max = tracer.traced().get() < COLD_RAYS ? COLD_CAPACITY : Batch.CAPACITY;
-        for (int from = 0; from < all.count; from += max) {
-            trace(all, from, Math.min(from + max, all.count));
+        for (int from = 0; from < all.count(); from += max) {
+            trace(all, from, Math.min(from + max, all.count()));
         }
     }
 
@@ -78,11 +79,9 @@ public final class TileTracer {
     private void trace(Samples all, int from, int to) {
         start(all, from, to);
         while (rays.count > 0) {
-            findClosestHits();
-            moveToHits();
-            shade();
-            addToSamples();
-            reflect();
+            for (Search step : steps) {
+                step.run(0, 0);
+            }
         }
     }
 
@@ -94,7 +93,7 @@ public final class TileTracer {
         Arrays.fill(samples.green, from, to, 0);
         Arrays.fill(samples.blue, from, to, 0);
         rays.start(from, to - from);
-        pinhole.aim(rays, samples);
+        pinhole.aim(rays, samples, from);
         primaryCount += to - from;
     }
 
@@ -118,7 +117,7 @@ public final class TileTracer {
         groups.arrange(rays);
         for (int group = 0; group < groups.count; group++) {
             int first = groups.start[group];
-            kindOf(rays.hit[first]).moveToHits(rays, first, groups.start[group + 1]);
+            kindOf(rays.hit[first]).moveToHits(rays, first, groups.start[group + 1], workspace);
         }
     }
 
@@ -138,6 +137,15 @@ public final class TileTracer {
 
     // A method of its own, which HotSpot compiles long before shading: in one with that, 16 samples of planet took 1.18.
     void addToSamples() {
+        if (rays.leaveEye) {
+            for (int i = 0; i < rays.count; i++) {
+                int p = rays.pixel[i];
+                samples.red[p] = shading.red[i];
+                samples.green[p] = shading.green[i];
+                samples.blue[p] = shading.blue[i];
+            }
+            return;
+        }
         for (int i = 0; i < rays.count; i++) {
             int p = rays.pixel[i];
             samples.red[p] += times(rays.red[i], shading.red[i]);

@@ -108,14 +108,13 @@ class GrazingTest {
         TileTracer tracer = Tracer.compile(scene).newTileTracer();
         Samples samples = new Samples();
         Image image = new Image(scene.width(), scene.height());
-        for (int from = 0; from < order.size(); from += samples.count) {
-            samples.count = Math.min(Samples.CAPACITY, order.size() - from);
-            for (int i = 0; i < samples.count; i++) {
-                samples.x[i] = order.get(from + i) % scene.width() + .5;
-                samples.y[i] = order.get(from + i) / scene.width() + .5;
+        for (int from = 0; from < order.size(); from += samples.count()) {
+            samples.clear();
+            for (int pixel : order.subList(from, Math.min(from + Samples.CAPACITY, order.size()))) {
+                samples.add(pixel % scene.width() + .5, pixel / scene.width() + .5);
             }
             tracer.trace(samples);
-            for (int i = 0; i < samples.count; i++) {
+            for (int i = 0; i < samples.count(); i++) {
                 image.setPixels((int) samples.x[i], (int) samples.y[i], 1, 1, new double[] {samples.red[i]},
                         new double[] {samples.green[i]}, new double[] {samples.blue[i]});
             }

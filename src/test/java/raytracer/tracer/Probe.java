@@ -108,7 +108,7 @@ public final class Probe {
             return null;
         }
         surfaces.stream().filter(kind -> kind.owns(surface))
-                .forEach(kind -> kind.moveToHits(rays, 0, 1));
+                .forEach(kind -> kind.moveToHits(rays, 0, 1, workspace));
         return new Meeting(table.declared()[surface], rays.distance[0],
                 new Vector(rays.ox[0], rays.oy[0], rays.oz[0]), new Vector(rays.nx[0], rays.ny[0], rays.nz[0]));
     }

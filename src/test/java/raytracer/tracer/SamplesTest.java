@@ -20,14 +20,9 @@ class SamplesTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 64;
 
-    static void add(Samples samples, double x, double y) {
-        samples.x[samples.count] = x;
-        samples.y[samples.count++] = y;
-    }
-
     private static void addTile(Samples samples, int left, int top) {
         for (int i = 0; i < SIDE * SIDE; i++) {
-            add(samples, left + i % SIDE + .5, top + i / SIDE + .5);
+            samples.add(left + i % SIDE + .5, top + i / SIDE + .5);
         }
     }
 
@@ -40,12 +35,12 @@ class SamplesTest {
         Samples together = new Samples(), alone = new Samples();
         for (int top = 0; top < HEIGHT; top += SIDE) {
             for (int left = 0; left < WIDTH; left += SIDE) {
-                together.count = 0;
+                together.clear();
                 addTile(together, left, top);
                 tracer.trace(together);
-                for (int i = 0; i < together.count; i++) {
-                    alone.count = 0;
-                    add(alone, together.x[i], together.y[i]);
+                for (int i = 0; i < together.count(); i++) {
+                    alone.clear();
+                    alone.add(together.x[i], together.y[i]);
                     tracer.trace(alone);
                     String where = "sample at " + together.x[i] + " " + together.y[i];
                     assertEquals(alone.red[0], together.red[i], "red of " + where);
@@ -66,18 +61,18 @@ class SamplesTest {
         for (int top = 0; top < HEIGHT; top += 13) {
             for (int left = 0; left < WIDTH; left += SIDE) {
                 int rows = Math.min(13, HEIGHT - top);
-                points.count = 0;
+                points.clear();
                 for (int i = 0; i < SIDE * rows; i++) {
-                    add(points, left + i % SIDE + .5, top + i / SIDE + .5);
+                    points.add(left + i % SIDE + .5, top + i / SIDE + .5);
                 }
                 tracer.trace(points);
                 tracer.traceCentres(left, top, SIDE, rows, centres);
-                assertEquals(points.count, centres.count);
-                assertSame(points.x, centres.x, points.count);
-                assertSame(points.y, centres.y, points.count);
-                assertSame(points.red, centres.red, points.count);
-                assertSame(points.green, centres.green, points.count);
-                assertSame(points.blue, centres.blue, points.count);
+                assertEquals(points.count(), centres.count());
+                assertSame(points.x, centres.x, points.count());
+                assertSame(points.y, centres.y, points.count());
+                assertSame(points.red, centres.red, points.count());
+                assertSame(points.green, centres.green, points.count());
+                assertSame(points.blue, centres.blue, points.count());
             }
         }
     }

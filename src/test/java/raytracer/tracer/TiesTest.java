@@ -62,8 +62,8 @@ class TiesTest {
             Samples samples = new Samples();
             for (int from = 0; from < red.length; from += Samples.CAPACITY) {
                 List<Integer> some = pixels.subList(from, Math.min(from + Samples.CAPACITY, red.length));
-                samples.count = 0;
-                some.forEach(p -> SamplesTest.add(samples, p % WIDTH + .5, p / WIDTH + .5));
+                samples.clear();
+                some.forEach(p -> samples.add(p % WIDTH + .5, p / WIDTH + .5));
                 tracer.trace(samples);
                 for (int i = 0; i < some.size(); i++) {
                     red[some.get(i)] = samples.red[i];

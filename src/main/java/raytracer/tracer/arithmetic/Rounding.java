@@ -229,13 +229,32 @@ public final class Rounding {
     }
 
     /**
-     * Bounds how far off along its ray a point is where that has hit a sphere: {@link #sphereDistance} of a ray from the
-     * eye, with both errors under one root, as their roots add up to the root of 2 times their sum at most.
+     * The part of a distance's own rounding that stays where a ray hits a sphere nearer than its chord's middle, as the
+     * distance is the power over half the chord and the distance to its middle, then.
+     *
+     * @param half  half the chord
+     * @param along direction . (origin - centre)
      */
-    public static double sphereSlide(double l1Norm, double radius, double along, double distance) {
-        double half = Math.abs(distance + along), sum = half + Math.abs(along), part = Math.min(1, distance / sum);
-        double square = 2 * radius * (U * (3 * l1Norm + radius) * part + DIAGONAL * EYE_DIRECTION * distance);
-        return U * (3 * (l1Norm + sum) * part + distance)
-                + (square < 8 * half * half ? square / (2 * half) : Math.sqrt(2 * square));
+    public static double spherePart(double half, double along, double distance) {
+        return Math.min(1, distance / (half + Math.abs(along)));
+    }
+
+    /**
+     * Bounds by how much a ray from the eye is off beside its way where it hits a sphere: what the perpendicular rounds by,
+     * and the direction's error.
+     *
+     * @param part as {@link #spherePart} has it
+     */
+    public static double sphereSink(double l1Norm, double radius, double part, double distance) {
+        return U * (3 * l1Norm + radius) * part + DIAGONAL * EYE_DIRECTION * distance;
+    }
+
+    /**
+     * Bounds how far off along its ray a point is where that has hit a sphere: {@link #sphereDistance} of a ray from the
+     * eye, as far as it is granted. Beside the ray by {@code sink}, it is hit off by that over the cosine, half / radius.
+     */
+    public static double sphereSlide(double l1Norm, double radius, double half, double part, double distance, double sink) {
+        return Math.min(MAX_SLIDE * distance,
+                U * ((6 * l1Norm + 3 * radius) * part + distance) + sink * radius / half);
     }
 }

@@ -96,7 +96,7 @@ public final class Planes extends Surfaces {
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to) {
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
             int k = number(rays.hit[i]);
             rays.moveToPlane(i, products(rays, i, k), normal[k].x(), normal[k].y(), normal[k].z());

@@ -37,7 +37,7 @@ public final class Spheres extends Surfaces {
 
     @Override
     public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
-        spheres[k].intersectAll(rays, from, to);
+        spheres[k].intersectAll(rays, from, to, workspace);
     }
 
     @Override
@@ -47,13 +47,18 @@ public final class Spheres extends Surfaces {
 
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
-        spheres[k].blockAll(rays, shadows, from, to);
+        spheres[k].blockAll(rays, shadows, from, to, workspace);
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to) {
-        for (int i = from; i < to; i++) {
-            spheres[number(rays.hit[i])].moveToHit(rays, i);
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
+        // Those of a run have hit the same sphere.
+        for (int start = from, end; start < to; start = end) {
+            end = start + 1;
+            while (end < to && rays.hit[end] == rays.hit[start]) {
+                end++;
+            }
+            spheres[number(rays.hit[start])].moveToHits(rays, start, end, workspace);
         }
     }
 }

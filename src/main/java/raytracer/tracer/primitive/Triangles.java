@@ -209,7 +209,7 @@ public final class Triangles extends Surfaces {
     }
 
     @Override
-    public void moveToHits(Rays rays, int from, int to) {
+    public void moveToHits(Rays rays, int from, int to, Workspace workspace) {
         for (int i = from; i < to; i++) {
             moveToHit(rays, i, number(rays.hit[i]));
         }

@@ -26,9 +26,14 @@ public final class RayIntervals {
     /** Takes in a batch's rays, from one index to another, in place of all others, as far as their distances. */
     public void enclose(Rays rays, int from, int to) {
         clear();
-        include(rays.direction, from, to, minDirection, maxDirection);
+        if (rays.leaveEye && rays.axes != null) {
+            System.arraycopy(rays.minEyeDirection, 0, minDirection, 0, 3);
+            System.arraycopy(rays.maxEyeDirection, 0, maxDirection, 0, 3);
+        } else {
+            include(rays.direction, from, to, minDirection, maxDirection);
+        }
         include(rays.origin, from, rays.leaveEye ? from + 1 : to, minOrigin, maxOrigin);
-        for (int i = from; i < to; i++) {
+        for (int i = from; i < to && maxDistance < Double.POSITIVE_INFINITY; i++) {
             maxDistance = rays.distance[i] > maxDistance ? rays.distance[i] : maxDistance;
         }
     }

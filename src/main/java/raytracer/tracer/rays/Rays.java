@@ -23,6 +23,10 @@ public final class Rays {
     /** What directions from the eye are the sums of. */
     public CameraAxes axes;
 
+    // By axis, the intervals of directions from the eye, before they are normalised.
+    public final double[] minEyeDirection = new double[3];
+    public final double[] maxEyeDirection = new double[3];
+
     public final int[] pixel = new int[Batch.CAPACITY];
 
     // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,

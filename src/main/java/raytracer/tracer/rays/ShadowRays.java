@@ -30,6 +30,8 @@ public final class ShadowRays {
     // What the surface would return of the light, were it not blocked: the cosine at the surface, and the highlight.
     public final double[] lambert = new double[Batch.CAPACITY];
     public final double[] highlight = new double[Batch.CAPACITY];
+    /** The squares of the half vectors' lengths, and then of highlights. */
+    public final double[] halfSquare = new double[Batch.CAPACITY];
 
     /** The light that the rays go to. */
     public LightSource light;

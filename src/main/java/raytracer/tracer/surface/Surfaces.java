@@ -73,7 +73,7 @@ public abstract class Surfaces {
      * Moves rays, from one index to another, that have hit these to where they hit them: their origins become those
      * points, with bounds on their errors, and the normals are set.
      */
-    public abstract void moveToHits(Rays rays, int from, int to);
+    public abstract void moveToHits(Rays rays, int from, int to, Workspace workspace);
 
     /** Whether {@link #mayHit} goes by {@link Workspace#line}, which then must be set; no, unless a kind says so. */
     public boolean hasSieve() {

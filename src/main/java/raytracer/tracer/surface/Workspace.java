@@ -15,6 +15,14 @@ public final class Workspace {
     public final Vectors sides = new Vectors();
     public final double[] minProduct = new double[Batch.CAPACITY];
 
+    // By ray, of a sphere: direction . (origin - centre); the square of the perpendicular from the centre; distances, and
+    // other numbers of hits.
+    public final double[] along = new double[Batch.CAPACITY];
+    public final double[] square = new double[Batch.CAPACITY];
+    public final double[] l1Norm = new double[Batch.CAPACITY];
+    public final double[] half = new double[Batch.CAPACITY];
+    public final double[] part = new double[Batch.CAPACITY];
+
     // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
     public final Vectors moment = new Vectors();
     public double originError;
