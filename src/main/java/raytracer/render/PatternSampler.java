@@ -9,6 +9,7 @@ final class PatternSampler implements Sampler {
 
     private final SampleQueue queue;
     private final Pattern pattern;
+    private final PixelMeans means = new PixelMeans(Tiles.CAPACITY);
 
     // Of the blocks of pixels whose samples make a batch.
     private final int columns;
@@ -18,6 +19,7 @@ final class PatternSampler implements Sampler {
     PatternSampler(TileTracer tracer, Pattern pattern) {
         this.pattern = pattern;
         queue = new SampleQueue(tracer, false);
+        queue.start(means);
         int pixels = Math.max(1, Samples.CAPACITY / pattern.count());
         columns = (int) Math.sqrt(pixels);
         rows = pixels / columns;
@@ -25,8 +27,7 @@ final class PatternSampler implements Sampler {
 
     @Override
     public void render(Region tile, PixelSink sink) {
-        PixelMeans means = new PixelMeans(tile.pixels());
-        queue.start(means);
+        means.clear(tile.pixels());
         for (int top = 0; top < tile.height(); top += rows) {
             for (int left = 0; left < tile.width(); left += columns) {
                 add(tile, left, top);

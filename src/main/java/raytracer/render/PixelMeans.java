@@ -1,5 +1,6 @@
 package raytracer.render;
 
+import java.util.Arrays;
 import raytracer.tracer.PixelSink;
 import raytracer.tracer.rays.Samples;
 
@@ -18,6 +19,15 @@ final class PixelMeans {
         blue = new double[pixels];
         squares = new double[pixels];
         count = new int[pixels];
+    }
+
+    /** Takes out the samples of the first so many pixels. */
+    void clear(int pixels) {
+        Arrays.fill(red, 0, pixels, 0);
+        Arrays.fill(green, 0, pixels, 0);
+        Arrays.fill(blue, 0, pixels, 0);
+        Arrays.fill(squares, 0, pixels, 0);
+        Arrays.fill(count, 0, pixels, 0);
     }
 
     /** Cuts the colours of all samples to [0, 1], as if they were pixels'; what is no number stays none. */
@@ -72,7 +82,7 @@ final class PixelMeans {
 
     /** Sends all pixels of a tile, of which these are the means, which so are no sums any more. */
     void send(Region tile, PixelSink sink) {
-        for (int p = 0; p < count.length; p++) {
+        for (int p = 0; p < tile.pixels(); p++) {
             red[p] /= count[p];
             green[p] /= count[p];
             blue[p] /= count[p];

@@ -156,6 +156,9 @@ final class Sphere {
 
     /** Occludes the shadow rays, from one index to another, that the sphere blocks: most are told in plain doubles. */
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
+        if (!mayBlockAny(rays, shadows, from, to)) {
+            return;
+        }
         int lightSide = sideOf(shadows.light);
         double[] along = workspace.along, square = workspace.square, originError = shadows.originError;
         boolean[] unoccluded = shadows.unoccluded;
@@ -169,6 +172,18 @@ final class Sphere {
                         : !blocks(rays, shadows, i, lightSide);
             }
         }
+    }
+
+    /** Whether some shadow ray is unoccluded that does not leave the sphere outwards. */
+    private boolean mayBlockAny(Rays rays, ShadowRays shadows, int from, int to) {
+        int[] hit = rays.hit;
+        double[] lambert = shadows.lambert;
+        for (int i = from; i < to; i++) {
+            if (shadows.unoccluded[i] && (hit[i] != surface || lambert[i] < 0)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
