@@ -51,6 +51,7 @@ final class Pinhole {
             dz[i] = a * rz + b * uz - bz;
         }
         setIntervals(rays, samples.bounds);
+        rays.axes = axes;
         // Nothing is hit yet: the distances have room for the lengths.
         rays.direction.normalise(rays.distance, 0, to);
         Arrays.fill(rays.directionError, 0, to, Rounding.EYE_DIRECTION);

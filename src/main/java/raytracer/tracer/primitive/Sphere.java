@@ -95,8 +95,9 @@ final class Sphere {
 
     /** Records the sphere for rays, from one index to another, that hit it. */
     void intersectAll(Rays rays, int from, int to, Workspace workspace) {
-        measure(rays.origin, rays.direction, workspace, from, to);
         double[] square = workspace.square;
+        alongs(rays.origin, rays.direction, workspace.along, from, to);
+        squares(rays.origin, rays.direction, workspace.along, square, from, to);
         double power = rays.leaveEye
                 ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from], cx, cy, cz, r) : 0;
         if (power > 0) {
@@ -156,13 +157,14 @@ final class Sphere {
 
     /** Occludes the shadow rays, from one index to another, that the sphere blocks: most are told in plain doubles. */
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
-        if (!mayBlockAny(rays, shadows, from, to)) {
-            return;
-        }
-        int lightSide = sideOf(shadows.light);
         double[] along = workspace.along, square = workspace.square, originError = shadows.originError;
         boolean[] unoccluded = shadows.unoccluded;
-        measure(rays.origin, shadows.direction, workspace, from, to);
+        alongs(rays.origin, shadows.direction, along, from, to);
+        if (!mayBlockAny(rays.hit, unoccluded, along, from, to)) {
+            return;
+        }
+        squares(rays.origin, shadows.direction, along, square, from, to);
+        int lightSide = sideOf(shadows.light);
         for (int i = from; i < to; i++) {
             double halfSquare = r * r - square[i];
             if (unoccluded[i] && !isClear(halfSquare, originError[i])) {
@@ -175,11 +177,9 @@ final class Sphere {
     }
 
     /** Whether some shadow ray is unoccluded that does not leave the sphere outwards. */
-    private boolean mayBlockAny(Rays rays, ShadowRays shadows, int from, int to) {
-        int[] hit = rays.hit;
-        double[] lambert = shadows.lambert;
+    private boolean mayBlockAny(int[] hit, boolean[] unoccluded, double[] along, int from, int to) {
         for (int i = from; i < to; i++) {
-            if (shadows.unoccluded[i] && (hit[i] != surface || lambert[i] < 0)) {
+            if (unoccluded[i] && (hit[i] != surface || along[i] < 0)) {
                 return true;
             }
         }
@@ -264,36 +264,34 @@ final class Sphere {
         return Math.abs(power) <= error ? 0 : power > 0 ? 1 : -1;
     }
 
-    /**
-     * Computes, by ray, direction . (origin - centre), the square of the perpendicular from the centre to the ray, and the l1
-     * norm of origin - centre.
-     */
-    private void measure(Vectors origin, Vectors direction, Workspace workspace, int from, int to) {
+    /** By ray, direction . (origin - centre). */
+    private void alongs(Vectors origin, Vectors direction, double[] out, int from, int to) {
         double[] ox = origin.x(), oy = origin.y(), oz = origin.z(), dx = direction.x(), dy = direction.y(), dz = direction.z();
-        double[] along = workspace.along, square = workspace.square, l1Norm = workspace.l1Norm;
         for (int i = from; i < to; i++) {
-            along[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
+            out[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
         }
+    }
+
+    /** By ray, the square of the perpendicular from the centre to the ray. */
+    private void squares(Vectors origin, Vectors direction, double[] along, double[] out, int from, int to) {
+        double[] ox = origin.x(), oy = origin.y(), oz = origin.z(), dx = direction.x(), dy = direction.y(), dz = direction.z();
         for (int i = from; i < to; i++) {
             double e = ox[i] - cx - along[i] * dx[i];
-            square[i] = e * e;
+            out[i] = e * e;
         }
         for (int i = from; i < to; i++) {
             double e = oy[i] - cy - along[i] * dy[i];
-            square[i] += e * e;
+            out[i] += e * e;
         }
         for (int i = from; i < to; i++) {
             double e = oz[i] - cz - along[i] * dz[i];
-            square[i] += e * e;
-        }
-        for (int i = from; i < to; i++) {
-            l1Norm[i] = Math.abs(ox[i] - cx) + Math.abs(oy[i] - cy) + Math.abs(oz[i] - cz);
+            out[i] += e * e;
         }
     }
 
     /** Moves rays, from one index to another, that all hit the sphere there, as {@link Surfaces#moveToHits} does. */
     void moveToHits(Rays rays, int from, int to, Workspace workspace) {
-        measure(rays.origin, rays.direction, workspace, from, to);
+        alongs(rays.origin, rays.direction, workspace.along, from, to);
         bound(rays, from, to, workspace);
         move(rays, from, to);
     }
@@ -302,6 +300,10 @@ final class Sphere {
     private void bound(Rays rays, int from, int to, Workspace workspace) {
         double[] t = rays.distance, along = workspace.along, l1Norm = workspace.l1Norm;
         double[] half = workspace.half, part = workspace.part, sink = rays.originError, slide = rays.slide;
+        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz;
+        for (int i = from; i < to; i++) {
+            l1Norm[i] = Math.abs(ox[i] - cx) + Math.abs(oy[i] - cy) + Math.abs(oz[i] - cz);
+        }
         for (int i = from; i < to; i++) {
             half[i] = Math.abs(t[i] + along[i]);
             part[i] = Rounding.spherePart(half[i], along[i], t[i]);
