@@ -9,6 +9,8 @@ package raytracer.scene;
  */
 public record Vector(double x, double y, double z) {
 
+    public static final Vector ZERO = new Vector(0, 0, 0);
+
     public Vector minus(Vector other) {
         return new Vector(x - other.x, y - other.y, z - other.z);
     }

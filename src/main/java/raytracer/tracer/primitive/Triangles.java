@@ -3,11 +3,12 @@ package raytracer.tracer.primitive;
 import raytracer.scene.Mesh;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
-import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.rays.LightSource;
+import raytracer.tracer.rays.RayIntervals;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
+import raytracer.tracer.surface.LineBundle;
 import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
@@ -22,22 +23,18 @@ import raytracer.tracer.surface.Workspace;
  */
 public final class Triangles extends Surfaces {
 
-    public static final int LEAF_SIZE = Bvh.LEAF_SIZE;
-
-    /**
-     * Of the bound on the error of an edge's side: a ray that passes two edges on different sides by more is clear of
-     * the triangle. More than enough for the sieve's own errors, as the bound is then of the world's origin as an end.
-     */
-    private static final double SIEVE = 64;
+    public static final int LEAF_SIZE = 4;
 
     private final TriangleArray data;
     private final TriangleSieve sieve;
+    private final EdgeSides edgeSides;
 
     /** @param bvh of all triangles of the mesh */
     public Triangles(Mesh mesh, int firstSurface, Bvh bvh) {
         super("triangles", firstSurface, bvh);
         data = new TriangleArray(mesh, bvh);
         sieve = new TriangleSieve(mesh, bvh);
+        edgeSides = new EdgeSides(data);
     }
 
     @Override
@@ -89,36 +86,41 @@ public final class Triangles extends Surfaces {
 
     @Override
     public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) {
-        workspace.directionError = rays.leaveEye ? Rounding.EYE_DIRECTION : max(rays.directionError, from, to);
-        prepare(rays, rays.direction, rays.originError, from, to, workspace);
+        LineBundle lines = workspace.lines;
+        lines.originError = LineBundle.max(rays.originError, from, to);
+        lines.directionError = LineBundle.max(rays.directionError, from, to);
+        if (rays.leaveEye) {
+            lines.setMeeting(rays.origin.get(from), rays.origin, rays.direction, from, to);
+        } else {
+            lines.set(rays.origin, rays.direction, from, to);
+        }
     }
 
     @Override
     public void prepareToBlock(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
-        workspace.directionError = 2 * Rounding.U;
-        prepare(rays, shadows.direction, shadows.originError, from, to, workspace);
-    }
-
-    private static void prepare(Rays rays, Vectors d, double[] originError, int from, int to, Workspace workspace) {
-        Vectors.cross(rays.origin, d, workspace.moment, from, to);
-        workspace.farthest = max(rays.ox, from, to) + max(rays.oy, from, to) + max(rays.oz, from, to);
-        workspace.originError = max(originError, from, to);
-    }
-
-    private static double max(double[] values, int from, int to) {
-        double max = 0;
-        for (int i = from; i < to; i++) {
-            max = Math.max(max, Math.abs(values[i]));
+        LineBundle lines = workspace.lines;
+        LightSource light = shadows.light;
+        Vector v = new Vector(light.x(), light.y(), light.z());
+        lines.originError = LineBundle.max(shadows.originError, from, to);
+        lines.directionError = 2 * Rounding.U;
+        if (light.directional()) {
+            lines.setParallel(v, rays.origin, from, to);
+        } else {
+            lines.setMeeting(v, rays.origin, shadows.direction, from, to);
         }
-        return max;
+    }
+
+    @Override
+    public int sift(RayIntervals rays, int[] numbers, int count, Workspace workspace) {
+        return edgeSides.sift(rays, workspace.lines, numbers, count);
     }
 
     @Override
     public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
-        double clear = passBy(rays.direction, from, to, k, workspace);
-        double[] product = workspace.minProduct;
+        float clear = edgeSides.measure(from, to, k, workspace);
+        float[] clearance = workspace.clearance;
         for (int i = from; i < to; i++) {
-            if (!(product[i] < clear)) {
+            if (!(clearance[i] > clear)) {
                 intersect(rays, i, k);
             }
         }
@@ -126,48 +128,13 @@ public final class Triangles extends Surfaces {
 
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
-        double clear = passBy(shadows.direction, from, to, k, workspace);
-        double[] product = workspace.minProduct;
+        float clear = edgeSides.measure(from, to, k, workspace);
+        float[] clearance = workspace.clearance;
         for (int i = from; i < to; i++) {
-            if (shadows.unoccluded[i] && !(product[i] < clear)) {
+            if (!(clearance[i] > clear) && shadows.unoccluded[i]) {
                 shadows.unoccluded[i] = !blocks(rays, shadows, i, k);
             }
         }
-    }
-
-    /**
-     * Computes for all rays the least product of two edges' sides, in {@link Workspace#minProduct}: negative where a
-     * ray passes edges on different sides. The sides are those of {@link #within}, but from the rays' moments about
-     * the world's origin (Pluecker coordinates), for which the triangle's part is the same for all. That may lose
-     * digits, and is only a first sieve.
-     *
-     * @return rays are clear of the triangle if they have less than this
-     */
-    private double passBy(Vectors d, int from, int to, int k, Workspace workspace) {
-        Vector a = data.corner(k, 0);
-        double[][] sides = {workspace.sides.x(), workspace.sides.y(), workspace.sides.z()};
-        for (int edge = 0; edge < 3; edge++) {
-            Vector b = data.corner(k, (edge + 1) % 3);
-            sides(a, b, d, workspace.moment, sides[edge], from, to);
-            a = b;
-        }
-        double[] ab = sides[0], bc = sides[1], ca = sides[2], product = workspace.minProduct;
-        for (int i = from; i < to; i++) {
-            // May overflow or be lost, and then is not less than what it is compared with.
-            product[i] = Math.min(ab[i] * bc[i], Math.min(bc[i] * ca[i], ca[i] * ab[i]));
-        }
-        double edges = data.edges(k);
-        double l1Norm = a.l1Norm() + edges + workspace.farthest;
-        double max = 4 * edges * l1Norm;
-        return -max * SIEVE * Rounding.edge(workspace.originError, workspace.directionError, l1Norm, edges);
-    }
-
-    /** By ray, the side of the edge e from a to b, of sum s: d . (e x s) - 2 e . m. */
-    private static void sides(Vector a, Vector b, Vectors d, Vectors m, double[] out, int from, int to) {
-        double ex = b.x() - a.x(), ey = b.y() - a.y(), ez = b.z() - a.z();
-        double sx = a.x() + b.x(), sy = a.y() + b.y(), sz = a.z() + b.z();
-        d.dot(ey * sz - ez * sy, ez * sx - ex * sz, ex * sy - ey * sx, out, from, to);
-        m.addDot(-2 * ex, -2 * ey, -2 * ez, out, from, to);
     }
 
     @Override

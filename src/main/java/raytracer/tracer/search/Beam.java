@@ -14,10 +14,7 @@ import raytracer.tracer.rays.RayIntervals;
  */
 public final class Beam {
 
-    /** The most primitives that are still worth trying with every ray. */
-    private static final int MAX = 24;
-
-    /** The most nodes to visit: what a few rays' own walks would. */
+    /** The most nodes to visit, if not so many primitives are asked for: what a few rays' own walks would. */
     private static final int MAX_NODES = 96;
 
     /** How far rays go, in tree space. */
@@ -34,17 +31,17 @@ public final class Beam {
 
     // What the last search found: so many primitives, by their places in the tree's order; and the deepest node or leaf
     // that holds all that the rays may hit, where their own walks may begin.
-    final int[] primitives = new int[MAX + Bvh.LEAF_SIZE];
+    int[] primitives = new int[64];
     int count;
     int entry;
 
     private int[] stack = new int[64];
 
     /**
-     * Finds the primitives in the tree that the rays may hit, and where walks may begin; false if they are too many, or the
-     * rays too unlike.
+     * Finds the primitives in the tree that the rays may hit, and where walks may begin; false if they are more than so many,
+     * or the rays too unlike.
      */
-    boolean gather(RayIntervals rays, Bvh bvh) {
+    boolean gather(RayIntervals rays, Bvh bvh, int max) {
         count = 0;
         entry = bvh.root();
         if (bvh.root() == Bvh.EMPTY) {
@@ -63,13 +60,13 @@ public final class Beam {
             }
             if (child < 0) {
                 for (int k = Bvh.leafFirst(child); k < Bvh.leafEnd(child); k++) {
-                    primitives[count++] = k;
+                    add(k);
                 }
-                if (count > MAX) {
+                if (count > max) {
                     return false;
                 }
             } else {
-                if (++visited > MAX_NODES) {
+                if (++visited > Math.max(max, MAX_NODES)) {
                     return false;
                 }
                 if (stacked + Bvh.WIDTH > stack.length) {
@@ -79,6 +76,13 @@ public final class Beam {
             }
         }
         return true;
+    }
+
+    private void add(int k) {
+        if (count == primitives.length) {
+            primitives = Arrays.copyOf(primitives, 2 * count);
+        }
+        primitives[count++] = k;
     }
 
     /** Whether the rays start near enough, and go the same way along at least one axis. */

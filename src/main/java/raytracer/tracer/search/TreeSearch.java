@@ -14,6 +14,9 @@ import raytracer.tracer.surface.Workspace;
  */
 abstract class TreeSearch implements Search {
 
+    /** The most surfaces that are still worth trying with every ray, if it takes the robust arithmetic of single rays. */
+    private static final int FEW = 24;
+
     final Surfaces surfaces;
     final Bvh bvh;
     final Rays rays;
@@ -63,11 +66,22 @@ abstract class TreeSearch implements Search {
             tryOversized(from, to);
         }
         enclose(from, to);
-        if (!beam.gather(intervals, bvh)) {
+        if (!beam.gather(intervals, bvh, surfaces.hasSieve() ? FEW + (to - from) / 2 : FEW)) {
             walk(from, to);
         } else if (beam.count > 0) {
-            tryGathered(from, to);
+            prepare(from, to);
+            beam.count = surfaces.sift(intervals, beam.primitives, beam.count, workspace);
+            if (beam.count > mostTried(to - from)) {
+                walk(from, to);
+            } else {
+                tryGathered(from, to);
+            }
         }
+    }
+
+    /** What gathering and sifting cost must pay; of lines that meet or are parallel, most surfaces are cleared by vectors. */
+    private int mostTried(int count) {
+        return surfaces.hasSieve() && workspace.lines.areAlike() ? FEW + count / 4 : FEW;
     }
 
     /** Tries what is too wide for the tree with all rays. */
@@ -79,7 +93,6 @@ abstract class TreeSearch implements Search {
     }
 
     private void tryGathered(int from, int to) {
-        prepare(from, to);
         for (int n = 0; n < beam.count; n++) {
             tryAll(from, to, beam.primitives[n]);
         }

@@ -4,6 +4,7 @@ import raytracer.tracer.bvh.Bvh;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.bvh.TreeFacts;
 import raytracer.tracer.rays.Candidates;
+import raytracer.tracer.rays.RayIntervals;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
 
@@ -86,6 +87,16 @@ public abstract class Surfaces {
      */
     public int mayHit(int first, int end, Workspace workspace) {
         return (1 << end - first) - 1;
+    }
+
+    /**
+     * Keeps, of some surfaces' numbers, those that rays in these intervals may hit, after {@link #prepareToIntersect} or
+     * {@link #prepareToBlock}.
+     *
+     * @return how many are kept
+     */
+    public int sift(RayIntervals rays, int[] numbers, int count, Workspace workspace) {
+        return count;
     }
 
     public final TreeFacts facts() {

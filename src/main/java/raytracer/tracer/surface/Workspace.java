@@ -1,7 +1,6 @@
 package raytracer.tracer.surface;
 
 import raytracer.tracer.arithmetic.Batch;
-import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.bvh.BvhWalk;
 import raytracer.tracer.rays.Rays;
 
@@ -11,9 +10,13 @@ public final class Workspace {
     public final BvhWalk walk = new BvhWalk();
     public final SieveLine line = new SieveLine();
 
-    // By ray, of a triangle: the sides of its edges, and the least product of two of them.
-    public final Vectors sides = new Vectors();
-    public final double[] minProduct = new double[Batch.CAPACITY];
+    public final LineBundle lines = new LineBundle();
+
+    // By ray, of a triangle: the sides of its edges, and by how much two of them differ.
+    public final float[] ab = new float[Batch.CAPACITY];
+    public final float[] bc = new float[Batch.CAPACITY];
+    public final float[] ca = new float[Batch.CAPACITY];
+    public final float[] clearance = new float[Batch.CAPACITY];
 
     // By ray, of a sphere: direction . (origin - centre); the square of the perpendicular from the centre; distances, and
     // other numbers of hits.
@@ -22,10 +25,4 @@ public final class Workspace {
     public final double[] l1Norm = new double[Batch.CAPACITY];
     public final double[] half = new double[Batch.CAPACITY];
     public final double[] part = new double[Batch.CAPACITY];
-
-    // Origin x direction, the moments of rays' lines; and bounds on the rays' errors and distances from the origin.
-    public final Vectors moment = new Vectors();
-    public double originError;
-    public double directionError;
-    public double farthest;
 }

@@ -40,7 +40,7 @@ class BeamTest {
 
     private boolean gather(Bvh bvh) {
         intervals.enclose(rays, 0, RAYS);
-        return beam.gather(intervals, bvh);
+        return beam.gather(intervals, bvh, 24);
     }
 
     private BitSet gathered(Bvh bvh) {
@@ -109,7 +109,7 @@ class BeamTest {
                 o[2][i] = offset + (directional ? 2 * axis.z() : 0) + apart * random.nextDouble();
             }
             intervals.enclose(rays, light, 0, RAYS);
-            if (!beam.gather(intervals, bvh)) {
+            if (!beam.gather(intervals, bvh, 24)) {
                 continue;
             }
             BitSet things = gathered(bvh);
