@@ -5,6 +5,7 @@ import raytracer.scene.Camera;
 import raytracer.scene.Scene;
 import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Rounding;
+import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.rays.CameraAxes;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.Samples;
@@ -40,16 +41,7 @@ final class Pinhole {
     /** Makes rays leave the eye through their samples' points. @param from the first ray's sample */
     void aim(Rays rays, Samples samples, int from) {
         int to = rays.count;
-        // Twice the position less the size is exact for pixels' centres in a picture of any size.
-        double[] x = samples.x, y = samples.y, dx = rays.dx, dy = rays.dy, dz = rays.dz;
-        double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
-        double bx = backward.x(), by = backward.y(), bz = backward.z();
-        for (int i = 0; i < to; i++) {
-            double a = 2 * x[from + i] - width, b = height - 2 * y[from + i];
-            dx[i] = a * rx + b * ux - bx;
-            dy[i] = a * ry + b * uy - by;
-            dz[i] = a * rz + b * uz - bz;
-        }
+        direct(samples, from, rays.direction, to);
         setIntervals(rays, samples.bounds);
         rays.axes = axes;
         // Nothing is hit yet: the distances have room for the lengths.
@@ -60,6 +52,19 @@ final class Pinhole {
         Arrays.fill(rays.oz, 0, to, eye.z());
         Arrays.fill(rays.originError, 0, to, 0);
         Arrays.fill(rays.slide, 0, to, 0);
+    }
+
+    private void direct(Samples samples, int from, Vectors direction, int to) {
+        double[] x = samples.x, y = samples.y, dx = direction.x(), dy = direction.y(), dz = direction.z();
+        double rx = right.x(), ry = right.y(), rz = right.z(), ux = up.x(), uy = up.y(), uz = up.z();
+        double bx = backward.x(), by = backward.y(), bz = backward.z();
+        for (int i = 0; i < to; i++) {
+            // Twice the position less the size is exact for pixels' centres in a picture of any size.
+            double a = 2 * x[from + i] - width, b = height - 2 * y[from + i];
+            dx[i] = a * rx + b * ux - bx;
+            dy[i] = a * ry + b * uy - by;
+            dz[i] = a * rz + b * uz - bz;
+        }
     }
 
     /** The directions' intervals, in units of what is computed above: each is greatest and least at a corner. */

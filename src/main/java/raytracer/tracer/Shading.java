@@ -5,6 +5,7 @@ import java.util.List;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
 import raytracer.tracer.arithmetic.Batch;
+import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
@@ -76,18 +77,18 @@ final class Shading {
      * return any; returns how many.
      */
     private int findReflectance(Material material, int from, int to) {
-        double[] nx = rays.nx, ny = rays.ny, nz = rays.nz, lx = shadows.dx, ly = shadows.dy, lz = shadows.dz;
-        double[] lambert = shadows.lambert, highlight = shadows.highlight;
-        for (int i = from; i < to; i++) {
-            lambert[i] = nx[i] * lx[i] + ny[i] * ly[i] + nz[i] * lz[i];
-        }
-        if (!material.specular().isBlack()) {
+        rays.normal.dot(shadows.direction, shadows.lambert, from, to);
+        boolean isShiny = !material.specular().isBlack();
+        if (isShiny) {
             findHighlights(from, to);
         } else {
-            Arrays.fill(highlight, from, to, 0);
+            Arrays.fill(shadows.highlight, from, to, 0);
         }
-        boolean diffuse = !material.diffuse().isBlack();
-        boolean alwaysSpecular = !material.specular().isBlack() && material.shininess() <= 0;
+        return mark(!material.diffuse().isBlack(), isShiny && material.shininess() <= 0, from, to);
+    }
+
+    private int mark(boolean diffuse, boolean alwaysSpecular, int from, int to) {
+        double[] lambert = shadows.lambert, highlight = shadows.highlight;
         int count = 0;
         for (int i = from; i < to; i++) {
             boolean adds = shadows.distance[i] > 0 && (diffuse && lambert[i] > 0 || alwaysSpecular || highlight[i] > 0);
@@ -101,40 +102,63 @@ final class Shading {
     private void findHighlights(int from, int to) {
         double[] dx = rays.dx, dy = rays.dy, dz = rays.dz, lx = shadows.dx, ly = shadows.dy, lz = shadows.dz;
         double[] nx = rays.nx, ny = rays.ny, nz = rays.nz, cosine = shadows.highlight, square = shadows.halfSquare;
+        Arrays.fill(cosine, from, to, 0);
+        Arrays.fill(square, from, to, 0);
+        addHalf(lx, dx, nx, cosine, square, from, to);
+        addHalf(ly, dy, ny, cosine, square, from, to);
+        addHalf(lz, dz, nz, cosine, square, from, to);
+        divideByRoot(square, cosine, from, to);
+    }
+
+    /** Of one axis: adds the half vector times the normal, and its square. */
+    private static void addHalf(double[] l, double[] d, double[] n, double[] cosine, double[] square, int from, int to) {
         for (int i = from; i < to; i++) {
-            double h = lx[i] - dx[i];
-            cosine[i] = nx[i] * h;
-            square[i] = h * h;
-        }
-        for (int i = from; i < to; i++) {
-            double h = ly[i] - dy[i];
-            cosine[i] += ny[i] * h;
+            double h = l[i] - d[i];
+            cosine[i] += n[i] * h;
             square[i] += h * h;
-        }
-        for (int i = from; i < to; i++) {
-            double h = lz[i] - dz[i];
-            cosine[i] += nz[i] * h;
-            square[i] += h * h;
-        }
-        for (int i = from; i < to; i++) {
-            cosine[i] /= Math.max(Math.sqrt(square[i]), Double.MIN_NORMAL);
         }
     }
 
+    private static void divideByRoot(double[] square, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] /= Math.max(Math.sqrt(square[i]), Double.MIN_NORMAL);
+        }
+    }
+
+    /** A part of {@link #addLight}: three, called in one place, so that HotSpot inlines none and compiles each alone. */
+    private interface Step {
+
+        void run(Shading shading, Material material, Colour light, int from, int to);
+    }
+
+    private static final List<Step> STEPS = List.of(Shading::finishCosines, Shading::darken, Shading::add);
+
     /** Adds what the surface returns of the light, to the rays whose shadow rays are unoccluded. */
     private void addLight(Material material, Colour light, int from, int to) {
-        double[] lambert = shadows.lambert, highlight = shadows.highlight;
-        cut(lambert, from, to);
-        if (!material.specular().isBlack()) {
-            cut(highlight, from, to);
-            raise(highlight, material.shininess(), from, to);
+        for (int step = 0; step < 3; step++) {
+            STEPS.get(step).run(this, material, light, from, to);
         }
+    }
+
+    private void finishCosines(Material material, Colour light, int from, int to) {
+        cut(shadows.lambert, from, to);
+        if (!material.specular().isBlack()) {
+            cut(shadows.highlight, from, to);
+            raise(shadows.highlight, material.shininess(), from, to);
+        }
+    }
+
+    private void darken(Material material, Colour light, int from, int to) {
+        double[] lambert = shadows.lambert, highlight = shadows.highlight;
         for (int i = from; i < to; i++) {
             if (!shadows.unoccluded[i]) {
                 lambert[i] = 0;
                 highlight[i] = 0;
             }
         }
+    }
+
+    private void add(Material material, Colour light, int from, int to) {
         Colour diffuse = material.diffuse(), specular = material.specular();
         add(red, light.red(), diffuse.red(), specular.red(), from, to);
         add(green, light.green(), diffuse.green(), specular.green(), from, to);
@@ -178,13 +202,9 @@ final class Shading {
         Arrays.fill(highlight, from, to, 1);
         for (; n > 0; n >>= 1) {
             if ((n & 1) == 1) {
-                for (int i = from; i < to; i++) {
-                    highlight[i] *= square[i];
-                }
+                Vectors.multiply(square, highlight, from, to);
             }
-            for (int i = from; i < to; i++) {
-                square[i] *= square[i];
-            }
+            Vectors.multiply(square, square, from, to);
         }
         if (s < 0) {
             for (int i = from; i < to; i++) {

@@ -3,9 +3,10 @@ package raytracer.tracer.arithmetic;
 import raytracer.scene.Vector;
 
 /**
- * As many vectors as a batch has rays, and arithmetic on them, from one index up to before another. The loops are so small
- * that HotSpot's C2 makes vector instructions of them: it packs what it has unrolled, and unrolls a loop to 60 of its nodes
- * at most (-XX:LoopUnrollLimit).
+ * As many vectors as a batch has rays, and arithmetic on them and on arrays, from one index up to before another. The loops are
+ * so small that HotSpot's C2 makes vector instructions of them: it packs what it has unrolled, and unrolls a loop to 60 of its
+ * nodes at most (-XX:LoopUnrollLimit). Each is a method of its own: of one with several, C2 compiles all anew for each that
+ * gets hot, which takes up to 70 ms, while the program waits.
  */
 public record Vectors(double[] x, double[] y, double[] z) {
 
@@ -25,10 +26,51 @@ public record Vectors(double[] x, double[] y, double[] z) {
         }
     }
 
-    /** out += a . v, where a is the same for all. */
-    public void addDot(double ax, double ay, double az, double[] out, int from, int to) {
+    /** out = a . b */
+    public void dot(Vectors other, double[] out, int from, int to) {
+        double[] ax = x, ay = y, az = z, bx = other.x, by = other.y, bz = other.z;
         for (int i = from; i < to; i++) {
-            out[i] += ax * x[i] + ay * y[i] + az * z[i];
+            out[i] = ax[i] * bx[i] + ay[i] * by[i] + az[i] * bz[i];
+        }
+    }
+
+    /** Adds other vectors times numbers. */
+    public void addScaled(double[] factor, Vectors other, int from, int to) {
+        addProduct(factor, other.x, x, from, to);
+        addProduct(factor, other.y, y, from, to);
+        addProduct(factor, other.z, z, from, to);
+    }
+
+    private static void addProduct(double[] a, double[] b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] += a[i] * b[i];
+        }
+    }
+
+    /** Takes these from others: differences of vectors and one that is the same for all. */
+    public void setDifference(Vectors other, double vx, double vy, double vz, int from, int to) {
+        setDifference(other.x, vx, x, from, to);
+        setDifference(other.y, vy, y, from, to);
+        setDifference(other.z, vz, z, from, to);
+    }
+
+    private static void setDifference(double[] a, double b, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = a[i] - b;
+        }
+    }
+
+    /** out = |x| + |y| + |z| of these, seen from a point. */
+    public void l1Norm(double vx, double vy, double vz, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] = Math.abs(x[i] - vx) + Math.abs(y[i] - vy) + Math.abs(z[i] - vz);
+        }
+    }
+
+    /** out *= a */
+    public static void multiply(double[] a, double[] out, int from, int to) {
+        for (int i = from; i < to; i++) {
+            out[i] *= a[i];
         }
     }
 
@@ -39,28 +81,22 @@ public record Vectors(double[] x, double[] y, double[] z) {
      * @param length the lengths before that
      */
     public void normalise(double[] length, int from, int to) {
+        lengths(length, from, to);
+        divide(length, from, to);
+    }
+
+    private void lengths(double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
-            length[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+            out[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
         }
+    }
+
+    private void divide(double[] length, int from, int to) {
         for (int i = from; i < to; i++) {
             double reciprocal = 1 / Math.max(length[i], Double.MIN_NORMAL);
             x[i] *= reciprocal;
             y[i] *= reciprocal;
             z[i] *= reciprocal;
-        }
-    }
-
-    /** out = a x b */
-    public static void cross(Vectors a, Vectors b, Vectors out, int from, int to) {
-        cross(a.y, a.z, b.y, b.z, out.x, from, to);
-        cross(a.z, a.x, b.z, b.x, out.y, from, to);
-        cross(a.x, a.y, b.x, b.y, out.z, from, to);
-    }
-
-    /** One component of a cross product, of the other two: out = ay bz - az by. */
-    private static void cross(double[] ay, double[] az, double[] by, double[] bz, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = ay[i] * bz[i] - az[i] * by[i];
         }
     }
 }

@@ -1,5 +1,7 @@
 package raytracer.tracer.primitive;
 
+import java.util.Arrays;
+import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.tracer.arithmetic.PowerOfPoint;
 import raytracer.tracer.arithmetic.Rounding;
@@ -274,80 +276,82 @@ final class Sphere {
 
     /** By ray, the square of the perpendicular from the centre to the ray. */
     private void squares(Vectors origin, Vectors direction, double[] along, double[] out, int from, int to) {
-        double[] ox = origin.x(), oy = origin.y(), oz = origin.z(), dx = direction.x(), dy = direction.y(), dz = direction.z();
+        Arrays.fill(out, from, to, 0);
+        addSquare(origin.x(), cx, along, direction.x(), out, from, to);
+        addSquare(origin.y(), cy, along, direction.y(), out, from, to);
+        addSquare(origin.z(), cz, along, direction.z(), out, from, to);
+    }
+
+    private static void addSquare(double[] o, double c, double[] along, double[] d, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
-            double e = ox[i] - cx - along[i] * dx[i];
-            out[i] = e * e;
-        }
-        for (int i = from; i < to; i++) {
-            double e = oy[i] - cy - along[i] * dy[i];
-            out[i] += e * e;
-        }
-        for (int i = from; i < to; i++) {
-            double e = oz[i] - cz - along[i] * dz[i];
+            double e = o[i] - c - along[i] * d[i];
             out[i] += e * e;
         }
     }
 
+    /** A part of {@link #moveToHits}: three, called in one place, so that HotSpot inlines none and compiles each alone. */
+    private interface Step {
+
+        void run(Sphere sphere, Rays rays, int from, int to, Workspace workspace);
+    }
+
+    private static final List<Step> STEPS = List.of(Sphere::measureAlong, Sphere::bound, Sphere::move);
+
     /** Moves rays, from one index to another, that all hit the sphere there, as {@link Surfaces#moveToHits} does. */
     void moveToHits(Rays rays, int from, int to, Workspace workspace) {
+        for (int step = 0; step < 3; step++) {
+            STEPS.get(step).run(this, rays, from, to, workspace);
+        }
+    }
+
+    private void measureAlong(Rays rays, int from, int to, Workspace workspace) {
         alongs(rays.origin, rays.direction, workspace.along, from, to);
-        bound(rays, from, to, workspace);
-        move(rays, from, to);
+        rays.origin.l1Norm(cx, cy, cz, workspace.l1Norm, from, to);
     }
 
     /** Bounds how far off the points are, but for what they will round by. */
     private void bound(Rays rays, int from, int to, Workspace workspace) {
         double[] t = rays.distance, along = workspace.along, l1Norm = workspace.l1Norm;
-        double[] half = workspace.half, part = workspace.part, sink = rays.originError, slide = rays.slide;
-        double[] ox = rays.ox, oy = rays.oy, oz = rays.oz;
-        for (int i = from; i < to; i++) {
-            l1Norm[i] = Math.abs(ox[i] - cx) + Math.abs(oy[i] - cy) + Math.abs(oz[i] - cz);
-        }
+        double[] half = workspace.half, part = workspace.part;
         for (int i = from; i < to; i++) {
             half[i] = Math.abs(t[i] + along[i]);
             part[i] = Rounding.spherePart(half[i], along[i], t[i]);
         }
+        boundSinks(l1Norm, part, t, rays.originError, from, to);
+        boundSlides(rays, from, to, workspace);
+    }
+
+    private void boundSinks(double[] l1Norm, double[] part, double[] t, double[] out, int from, int to) {
         for (int i = from; i < to; i++) {
-            sink[i] = Rounding.sphereSink(l1Norm[i], r, part[i], t[i]);
+            out[i] = Rounding.sphereSink(l1Norm[i], r, part[i], t[i]);
         }
+    }
+
+    private void boundSlides(Rays rays, int from, int to, Workspace workspace) {
+        double[] half = workspace.half, part = workspace.part, l1Norm = workspace.l1Norm;
+        double[] t = rays.distance, sink = rays.originError, slide = rays.slide;
         for (int i = from; i < to; i++) {
             slide[i] = Rounding.sphereSlide(l1Norm[i], r, half[i], part[i], t[i], sink[i]);
         }
     }
 
-    private void move(Rays rays, int from, int to) {
-        double[] x = rays.ox, y = rays.oy, z = rays.oz, dx = rays.dx, dy = rays.dy, dz = rays.dz, t = rays.distance;
-        for (int i = from; i < to; i++) {
-            x[i] += t[i] * dx[i];
-        }
-        for (int i = from; i < to; i++) {
-            y[i] += t[i] * dy[i];
-        }
-        for (int i = from; i < to; i++) {
-            z[i] += t[i] * dz[i];
-        }
-        // Where the slide is not granted in full, a point leaves the sphere by up to three times the sink.
-        double[] error = rays.originError, slide = rays.slide, normalError = rays.normalError;
-        for (int i = from; i < to; i++) {
-            error[i] = 3 * error[i] + Rounding.point(t[i], Math.abs(x[i]) + Math.abs(y[i]) + Math.abs(z[i]));
-        }
+    private void move(Rays rays, int from, int to, Workspace workspace) {
+        double[] l1Norm = workspace.l1Norm;
+        rays.origin.addScaled(rays.distance, rays.direction, from, to);
+        rays.origin.l1Norm(0, 0, 0, l1Norm, from, to);
+        boundErrors(rays, l1Norm, from, to);
+        // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
+        rays.normal.setDifference(rays.origin, cx, cy, cz, from, to);
+        rays.normal.normalise(l1Norm, from, to);
+    }
+
+    private void boundErrors(Rays rays, double[] l1Norm, int from, int to) {
+        double[] t = rays.distance, error = rays.originError, slide = rays.slide, normalError = rays.normalError;
         double reciprocal = 1 / r;
         for (int i = from; i < to; i++) {
+            // Where the slide is not granted in full, a point leaves the sphere by up to three times the sink.
+            error[i] = 3 * error[i] + Rounding.point(t[i], l1Norm[i]);
             normalError[i] = (error[i] + slide[i]) * reciprocal + 4 * Rounding.U;
-        }
-        // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
-        double[] nx = rays.nx, ny = rays.ny, nz = rays.nz;
-        for (int i = from; i < to; i++) {
-            nx[i] = x[i] - cx;
-            ny[i] = y[i] - cy;
-            nz[i] = z[i] - cz;
-        }
-        for (int i = from; i < to; i++) {
-            double scale = 1 / Math.max(Math.sqrt(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i]), Double.MIN_NORMAL);
-            nx[i] *= scale;
-            ny[i] *= scale;
-            nz[i] *= scale;
         }
     }
 }

@@ -27,14 +27,12 @@ public final class Triangles extends Surfaces {
 
     private final TriangleArray data;
     private final TriangleSieve sieve;
-    private final EdgeSides edgeSides;
 
     /** @param bvh of all triangles of the mesh */
     public Triangles(Mesh mesh, int firstSurface, Bvh bvh) {
         super("triangles", firstSurface, bvh);
         data = new TriangleArray(mesh, bvh);
         sieve = new TriangleSieve(mesh, bvh);
-        edgeSides = new EdgeSides(data);
     }
 
     @Override
@@ -87,12 +85,11 @@ public final class Triangles extends Surfaces {
     @Override
     public void prepareToIntersect(Rays rays, int from, int to, Workspace workspace) {
         LineBundle lines = workspace.lines;
-        lines.originError = LineBundle.max(rays.originError, from, to);
-        lines.directionError = LineBundle.max(rays.directionError, from, to);
+        lines.setErrors(LineBundle.max(rays.originError, from, to), LineBundle.max(rays.directionError, from, to));
         if (rays.leaveEye) {
             lines.setMeeting(rays.origin.get(from), rays.origin, rays.direction, from, to);
         } else {
-            lines.set(rays.origin, rays.direction, from, to);
+            lines.setSkew(rays.origin, rays.direction, from, to);
         }
     }
 
@@ -101,8 +98,7 @@ public final class Triangles extends Surfaces {
         LineBundle lines = workspace.lines;
         LightSource light = shadows.light;
         Vector v = new Vector(light.x(), light.y(), light.z());
-        lines.originError = LineBundle.max(shadows.originError, from, to);
-        lines.directionError = 2 * Rounding.U;
+        lines.setErrors(LineBundle.max(shadows.originError, from, to), 2 * Rounding.U);
         if (light.directional()) {
             lines.setParallel(v, rays.origin, from, to);
         } else {
@@ -112,13 +108,30 @@ public final class Triangles extends Surfaces {
 
     @Override
     public int sift(RayIntervals rays, int[] numbers, int count, Workspace workspace) {
-        return edgeSides.sift(rays, workspace.lines, numbers, count);
+        LineBundle lines = workspace.lines;
+        if (!lines.areAlike()) {
+            return count;
+        }
+        lines.setIntervals(rays);
+        int kept = 0;
+        for (int n = 0; n < count; n++) {
+            int k = numbers[n];
+            if (lines.mayHit(data.corner(k, 0), data.corner(k, 1), data.corner(k, 2), data.edges(k))) {
+                numbers[kept++] = k;
+            }
+        }
+        return kept;
+    }
+
+    private float measure(int from, int to, int k, Workspace workspace) {
+        return workspace.lines.measure(
+                data.corner(k, 0), data.corner(k, 1), data.corner(k, 2), data.edges(k), from, to);
     }
 
     @Override
     public void intersectAll(Rays rays, int from, int to, int k, Workspace workspace) {
-        float clear = edgeSides.measure(from, to, k, workspace);
-        float[] clearance = workspace.clearance;
+        float clear = measure(from, to, k, workspace);
+        float[] clearance = workspace.lines.clearance;
         for (int i = from; i < to; i++) {
             if (!(clearance[i] > clear)) {
                 intersect(rays, i, k);
@@ -128,8 +141,8 @@ public final class Triangles extends Surfaces {
 
     @Override
     public void blockAll(Rays rays, ShadowRays shadows, int from, int to, int k, Workspace workspace) {
-        float clear = edgeSides.measure(from, to, k, workspace);
-        float[] clearance = workspace.clearance;
+        float clear = measure(from, to, k, workspace);
+        float[] clearance = workspace.lines.clearance;
         for (int i = from; i < to; i++) {
             if (!(clearance[i] > clear) && shadows.unoccluded[i]) {
                 shadows.unoccluded[i] = !blocks(rays, shadows, i, k);

@@ -1,6 +1,5 @@
 package raytracer.tracer.rays;
 
-import raytracer.scene.Vector;
 import raytracer.tracer.arithmetic.Vectors;
 
 /** By axis, the intervals in which the origins and the directions of many rays lie. */
@@ -15,21 +14,6 @@ public final class RayIntervals {
 
     /** What is farther away, in that unit, does not matter. */
     public double maxDistance;
-
-    /** The least product of a vector with those in an interval. */
-    public static double min(double[] min, double[] max, Vector v) {
-        return v.x() * (v.x() > 0 ? min[0] : max[0]) + v.y() * (v.y() > 0 ? min[1] : max[1])
-                + v.z() * (v.z() > 0 ? min[2] : max[2]);
-    }
-
-    /** |x| + |y| + |z| of the longest direction, or more. */
-    public double maxDirectionNorm() {
-        double sum = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            sum += Math.max(Math.abs(minDirection[axis]), Math.abs(maxDirection[axis]));
-        }
-        return sum;
-    }
 
     private void clear() {
         for (int axis = 0; axis < 3; axis++) {

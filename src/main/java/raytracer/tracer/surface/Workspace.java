@@ -12,12 +12,6 @@ public final class Workspace {
 
     public final LineBundle lines = new LineBundle();
 
-    // By ray, of a triangle: the sides of its edges, and by how much two of them differ.
-    public final float[] ab = new float[Batch.CAPACITY];
-    public final float[] bc = new float[Batch.CAPACITY];
-    public final float[] ca = new float[Batch.CAPACITY];
-    public final float[] clearance = new float[Batch.CAPACITY];
-
     // By ray, of a sphere: direction . (origin - centre); the square of the perpendicular from the centre; distances, and
     // other numbers of hits.
     public final double[] along = new double[Batch.CAPACITY];
