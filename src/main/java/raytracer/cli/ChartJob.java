@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import raytracer.chart.Figure;
 import raytracer.chart.Panel;
+import raytracer.console.ExitStatus;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.ProgressBar;
@@ -92,7 +93,7 @@ final class ChartJob {
         OutputFile.write(svg, figure(settings, floor).svg());
         OutputFile.write(csv, String.join("\n", table(settings, floor)) + "\n");
         terminal.answer(sentence(settings));
-        return Main.DONE;
+        return ExitStatus.DONE;
     }
 
     /** Compiles the scene in a size of so many of its pixels, as a part of all. */

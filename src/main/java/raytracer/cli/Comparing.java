@@ -1,5 +1,6 @@
 package raytracer.cli;
 
+import raytracer.console.ExitStatus;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.Terminal;
@@ -23,6 +24,6 @@ final class Comparing {
             terminal.tell(prefix + "how the most different pixel gets its colour: --explain "
                     + verdict.comparison().x() + "," + verdict.comparison().y());
         }
-        return verdict.isPassed() ? Main.DONE : Main.DIFFERS;
+        return verdict.isPassed() ? ExitStatus.DONE : ExitStatus.DIFFERS;
     }
 }

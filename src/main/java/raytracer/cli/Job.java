@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.util.Map;
+import raytracer.console.ExitStatus;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.Stopwatch;
@@ -99,11 +100,11 @@ final class Job {
             if (!scene.rest().isEmpty()) {
                 terminal.tell(input.name() + ": " + scene.rest());
             }
-            return grade(Main.BAD_INPUT, "not read: " + Stats.counted(scene.count(), "error"));
+            return grade(ExitStatus.BAD_INPUT, "not read: " + Stats.counted(scene.count(), "error"));
         }
         String place = e instanceof UsageException usage ? usage.place() : "", reason = reason(e);
         terminal.tell(input.name() + place + ": " + reason);
-        return grade(e instanceof UsageException ? Main.BAD_INPUT : Main.FAILED, "not compared: " + reason);
+        return grade(e instanceof UsageException ? ExitStatus.BAD_INPUT : ExitStatus.FAILED, options.isGrading() ? "not compared: " + reason : reason);
     }
 
     /** Where many are graded, each has its line, also one that fails. */
@@ -116,8 +117,9 @@ final class Job {
     }
 
     private String reason(Throwable e) {
-        if (e instanceof OutOfMemoryError memory) {
-            return String.valueOf(memory.getMessage()).contains("thread") ? "the system starts no more threads: --threads N uses fewer"
+        // Numbers overflow where they are sizes of arrays.
+        if (e instanceof OutOfMemoryError || e instanceof ArithmeticException) {
+            return String.valueOf(e.getMessage()).contains("thread") ? "the system starts no more threads: --threads N uses fewer"
                     : "not enough memory: the scene and its picture need more than the "
                             + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use;"
                             + " 'java -Xmx4g -jar ...' allows 4 GB";
@@ -141,7 +143,7 @@ final class Job {
         int[] pixel = options.pixel(scene.width(), scene.height());
         new Explaining(input.name(), Declarations.of(text), scene).explain(pixel[0], pixel[1])
                 .forEach(terminal::answer);
-        return Main.DONE;
+        return ExitStatus.DONE;
     }
 
     private int render() throws UsageException, IOException {
@@ -157,7 +159,7 @@ final class Job {
                 terminal.tell(input.name() + ": " + scene.width() + "x" + scene.height() + " " + outputs.destination()
                         + ", " + Stats.inWords(scene));
             }
-            return Main.DONE;
+            return ExitStatus.DONE;
         }
         if (options.has(Option.CHART)) {
             return new ChartJob(scene, options, terminal).run();

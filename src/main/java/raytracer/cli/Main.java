@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import raytracer.console.ExitStatus;
 import raytracer.console.Json;
 import raytracer.console.Option;
 import raytracer.console.Options;
@@ -20,18 +21,6 @@ import raytracer.image.PngFile;
 
 /** The command line. Only this package prints, and only here does the program exit. */
 public final class Main {
-
-    /** All went well. */
-    static final int DONE = 0;
-
-    /** Something failed that is not the user's text: no memory, a full disk, an unreadable file. */
-    static final int FAILED = 1;
-
-    /** The command line or a scene is wrong. */
-    static final int BAD_INPUT = 2;
-
-    /** The picture is not the one it was compared with. */
-    static final int DIFFERS = 3;
 
     private Main() { }
 
@@ -48,11 +37,11 @@ public final class Main {
             Options options = Options.parse(args);
             if (options.has(Option.HELP)) {
                 out.print(Option.help());
-                return DONE;
+                return ExitStatus.DONE;
             }
             if (options.has(Option.VERSION)) {
-                out.println("raytracer " + version());
-                return DONE;
+                out.println("raytracer " + Stats.version());
+                return ExitStatus.DONE;
             }
             if (!options.has(Option.CHECK) && !options.has(Option.CHART) && !options.has(Option.EXPLAIN)) {
                 PngFile.prepare();
@@ -60,19 +49,14 @@ public final class Main {
             return options.has(Option.WATCH) ? new Watching(options, terminal).run() : run(options, terminal);
         } catch (UsageException e) {
             terminal.tell("raytracer: " + e.getMessage());
-            return BAD_INPUT;
+            return ExitStatus.BAD_INPUT;
         } catch (IOException e) {
             terminal.tell("raytracer: " + e.getMessage());
-            return FAILED;
+            return ExitStatus.FAILED;
         } catch (NoClassDefFoundError e) {
             terminal.tell("raytracer: this Java has no module java.desktop, which reads and writes pictures: use one that has");
-            return FAILED;
+            return ExitStatus.FAILED;
         }
-    }
-
-    static String version() {
-        String version = Main.class.getPackage().getImplementationVersion();
-        return version == null ? "(development)" : version;
     }
 
     /** Reads all scenes first, so that nothing is rendered if one job would replace what another reads or writes. */
@@ -89,15 +73,15 @@ public final class Main {
             jobs.add(new Job(new Input(scene), options, terminal));
             jobs.get(jobs.size() - 1).prepare(places, null);
         }
-        int[] count = new int[DIFFERS + 1];
+        int[] count = new int[ExitStatus.DIFFERS + 1];
         List<Map<String, Object>> figures = new ArrayList<>();
         for (Job job : jobs) {
             count[job.run()]++;
             figures.add(job.figures());
         }
         if (options.isGrading()) {
-            terminal.answer(jobs.size() + " compared: " + count[DONE] + " as they should be, " + count[DIFFERS] + " different, "
-                    + (count[FAILED] + count[BAD_INPUT]) + " failed");
+            terminal.answer(jobs.size() + " compared: " + count[ExitStatus.DONE] + " as they should be, " + count[ExitStatus.DIFFERS] + " different, "
+                    + (count[ExitStatus.FAILED] + count[ExitStatus.BAD_INPUT]) + " failed");
         }
         if (stats != null) {
             String json = jobs.size() == 1 ? Json.lines(figures.get(0)) : Json.of(figures).replace("}, {", "},\n{") + "\n";
@@ -107,6 +91,6 @@ public final class Main {
                 OutputFile.write(statsFile, json);
             }
         }
-        return count[DIFFERS] > 0 ? DIFFERS : count[BAD_INPUT] > 0 ? BAD_INPUT : count[FAILED] > 0 ? FAILED : DONE;
+        return count[ExitStatus.DIFFERS] > 0 ? ExitStatus.DIFFERS : count[ExitStatus.BAD_INPUT] > 0 ? ExitStatus.BAD_INPUT : count[ExitStatus.FAILED] > 0 ? ExitStatus.FAILED : ExitStatus.DONE;
     }
 }

@@ -2,6 +2,7 @@ package raytracer.cli;
 
 import java.io.IOException;
 import java.util.Map;
+import raytracer.console.ExitStatus;
 import raytracer.console.Option;
 import raytracer.console.Options;
 import raytracer.console.ProgressBar;
@@ -55,7 +56,7 @@ final class Rendering {
         if (image.undefinedPixels() > 0) {
             terminal.tell(outputs.input().name() + ": a fault in raytracer, please report it: "
                     + image.undefinedPixels() + " pixels have no colour");
-            return Main.FAILED;
+            return ExitStatus.FAILED;
         }
         Stopwatch writing = new Stopwatch();
         if (outputs.destination() != null) {
@@ -70,7 +71,7 @@ final class Rendering {
             terminal.tell(outputs.input().name() + ": warning: " + advice);
         }
         Reference.Verdict verdict = reference == null ? null : reference.compare(image.toBufferedImage());
-        int status = verdict == null ? Main.DONE : Comparing.tell(verdict, options, outputs, terminal);
+        int status = verdict == null ? ExitStatus.DONE : Comparing.tell(verdict, options, outputs, terminal);
         if (verdict != null) {
             figures.put("compare", Stats.compared(outputs.reference(), verdict));
         }

@@ -28,7 +28,7 @@ final class Stats {
     /** What every job's figures begin with. */
     static Map<String, Object> head(String file) {
         Map<String, Object> figures = new LinkedHashMap<>();
-        figures.put("program", Main.version());
+        figures.put("program", version());
         figures.put("java", Runtime.version().toString());
         figures.put("scene", file);
         return figures;
@@ -120,5 +120,10 @@ final class Stats {
 
     private static long count(Scene scene, Class<? extends Shape> kind) {
         return scene.shapes().stream().filter(kind::isInstance).count();
+    }
+
+    static String version() {
+        String version = Stats.class.getPackage().getImplementationVersion();
+        return version == null ? "(development)" : version;
     }
 }

@@ -6,6 +6,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import raytracer.console.ExitStatus;
 import raytracer.console.Options;
 import raytracer.console.Terminal;
 import raytracer.files.Destination;
@@ -55,7 +56,7 @@ final class Watching {
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return Main.DONE;
+            return ExitStatus.DONE;
         }
     }
 

@@ -155,4 +155,19 @@ final class Diagnostics {
         int tildes = Math.max(0, Math.min(length, end - mark) - 1);
         return new String(characters, cut, end - cut) + "\n" + blanks + "^" + "~".repeat(tildes);
     }
+
+    /** Whether the file, of which the current line is the first, is of a kind that is often taken for a scene. */
+    boolean isNoText() {
+        byte[] b = reader.buffer;
+        int at = reader.start, first = b[at] & 0xFF, second = b[at + 1] & 0xFF;
+        if (reader.end - at < 2) {
+            return false;
+        }
+        if (first == 0x89 && second == 'P') {
+            errorOfFile("expected a scene, found a PNG picture; -o FILE names the output");
+        } else if (first == 0xFF && second == 0xFE || first == 0xFE && second == 0xFF || first == 0 || second == 0) {
+            errorOfFile("expected UTF-8 text, found UTF-16; save the file as UTF-8");
+        }
+        return !clean();
+    }
 }

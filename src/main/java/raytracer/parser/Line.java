@@ -13,7 +13,7 @@ final class Line {
     /** So many characters hold no more digits than a long does. */
     private static final int MAX_LENGTH = 18;
 
-    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
+    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d++\\.?+\\d*+|\\.\\d++)([eE][-+]?\\d++)?+");
 
     private final LineReader reader;
     private byte[] bytes;

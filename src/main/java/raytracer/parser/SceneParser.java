@@ -98,7 +98,7 @@ public final class SceneParser {
 
     private ParsedScene parse() throws IOException, SceneException {
         while (!diagnostics.isHopeless() && reader.advance()) {
-            if (reader.number == 1 && isNoText()) {
+            if (reader.number == 1 && diagnostics.isNoText()) {
                 throw diagnostics.exception();
             }
             if (line.firstWord()) {
@@ -119,21 +119,6 @@ public final class SceneParser {
         warn();
         return new ParsedScene(scene, diagnostics.warnings(), outputPlace,
                 new ParsedScene.Colours(firstColourless, lastColourless, brightest, brightestLine));
-    }
-
-    /** Whether the file, of which this is the first line, is of a kind that is often taken for a scene. */
-    private boolean isNoText() {
-        byte[] b = reader.buffer;
-        int at = reader.start, first = b[at] & 0xFF, second = b[at + 1] & 0xFF;
-        if (reader.end - at < 2) {
-            return false;
-        }
-        if (first == 0x89 && second == 'P') {
-            diagnostics.errorOfFile("expected a scene, found a PNG picture; -o FILE names the output");
-        } else if (first == 0xFF && second == 0xFE || first == 0xFE && second == 0xFF || first == 0 || second == 0) {
-            diagnostics.errorOfFile("expected UTF-8 text, found UTF-16; save the file as UTF-8");
-        }
-        return !diagnostics.clean();
     }
 
     private void require(Command command) {

@@ -1,5 +1,6 @@
 package raytracer.tracer;
 
+import java.util.List;
 import java.util.function.ToDoubleFunction;
 import raytracer.scene.Colour;
 import raytracer.scene.Material;
@@ -18,16 +19,18 @@ record FaintestWeight(double red, double green, double blue) {
      */
     private static final double INVISIBLE = 0x1p-65;
 
-    static FaintestWeight of(Tracer tracer) {
-        return new FaintestWeight(of(tracer, Colour::red), of(tracer, Colour::green), of(tracer, Colour::blue));
+    static FaintestWeight of(List<LightSource> lights, Material[] materials, double depth) {
+        return new FaintestWeight(of(lights, materials, depth, Colour::red), of(lights, materials, depth, Colour::green),
+                of(lights, materials, depth, Colour::blue));
     }
 
-    private static double of(Tracer tracer, ToDoubleFunction<Colour> component) {
+    private static double of(
+            List<LightSource> lights, Material[] materials, double depth, ToDoubleFunction<Colour> component) {
         double light = 0, added = 0, mirror = 0;
-        for (LightSource source : tracer.lights()) {
+        for (LightSource source : lights) {
             light += component.applyAsDouble(source.colour());
         }
-        for (Material m : tracer.table().materials()) {
+        for (Material m : materials) {
             double specular = component.applyAsDouble(m.specular());
             // Of a negative shininess the highlight has no bound.
             double highlight = m.shininess() < 0 && light * specular > 0 ? Double.POSITIVE_INFINITY : light * specular;
@@ -35,7 +38,6 @@ record FaintestWeight(double red, double green, double blue) {
             added = Math.max(added, component.applyAsDouble(m.ambient()) + diffuse + highlight);
             mirror = Math.max(mirror, specular);
         }
-        double depth = tracer.scene().maxDepth();
         double sum = mirror < 1 ? 1 / (1 - mirror) : depth * Math.pow(mirror, depth);
         return added == 0 ? Double.POSITIVE_INFINITY : INVISIBLE / added / sum;
     }

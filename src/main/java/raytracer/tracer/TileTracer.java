@@ -61,7 +61,7 @@ public final class TileTracer {
         this.tracer = tracer;
         List<Surfaces> surfaces = tracer.surfaces();
         materials = tracer.table().materials();
-        faintest = FaintestWeight.of(tracer);
+        faintest = FaintestWeight.of(tracer.lights(), materials, tracer.scene().maxDepth());
         ties = new Ties(tracer.table().declared(), surfaces, rays, workspace);
         groups = new ShadingGroups(tracer.table());
         closestHit = surfaces.stream().map(kind -> ClosestHit.among(kind, rays, workspace)).toArray(Search[]::new);

@@ -49,6 +49,20 @@ class FuzzTest {
     }
 
     @Test
+    void longLinesAreToldAsFast() throws Exception {
+        for (String word : List.of("1".repeat(1_000_000) + "x", "1.".repeat(500_000), "1e".repeat(500_000), "x".repeat(1_000_000))) {
+            byte[] text = ("size 4 3\nsphere " + word + " 0 0 1\n").getBytes(StandardCharsets.UTF_8);
+            long start = System.nanoTime();
+            try {
+                SceneParser.parse("long.scene", new ByteArrayInputStream(text));
+                fail("no number: " + word.substring(0, 9));
+            } catch (SceneException e) {
+                assertTrue(System.nanoTime() - start < MOST_NANOS, e.getMessage());
+            }
+        }
+    }
+
+    @Test
     void isToldOrParsedButNeverAFaultAndNeverSlow() throws Exception {
         List<byte[]> seeds = seeds();
         int refused = 0, parsed = 0;

@@ -130,13 +130,15 @@ class LawsTest {
         assertEquals(40 * 30, seen[0]);
     }
 
-    @Test
-    void isTheSameToTheLastBitWithAndWithoutATree() throws Exception {
+    @ParameterizedTest(name = "also {0} away from the origin, where a sphere's box is rounded")
+    @ValueSource(doubles = {0, 1e9, 1e15})
+    void isTheSameToTheLastBitWithAndWithoutATree(double away) throws Exception {
+        double size = away < 1e12 ? 1 : 4;
         Random random = new Random(8);
         List<Shape.Sphere> spheres = new ArrayList<>();
         for (int i = 0; i < 500; i++) {
-            spheres.add(new Shape.Sphere(new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)),
-                    .05 + random.nextDouble() / 10, new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1)));
+            spheres.add(new Shape.Sphere(new Vector(away + coordinate(random, size), coordinate(random, size), coordinate(random, size)),
+                    size * (.05 + random.nextDouble() / 10), new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1)));
         }
         Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Bvh.LEAF_SIZE);
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
@@ -145,8 +147,8 @@ class LawsTest {
         Surfaces without = new Spheres(ordered, 0, Bvh.withoutTree(500));
         int met = 0;
         for (int i = 0; i < 5000; i++) {
-            Vector o = new Vector(coordinate(random, 3), coordinate(random, 3), coordinate(random, 3));
-            Vector d = new Vector(coordinate(random, 1), coordinate(random, 1), coordinate(random, 1)).minus(o).unit();
+            Vector o = new Vector(away + coordinate(random, 3 * size), coordinate(random, 3 * size), coordinate(random, 3 * size));
+            Vector d = new Vector(away + coordinate(random, size), coordinate(random, size), coordinate(random, size)).minus(o).unit();
             Rays a = nearest(with, tree.order(), o, d), b = nearest(without, tree.order(), o, d);
             assertEquals(b.hit[0], a.hit[0]);
             assertEquals(b.distance[0], a.distance[0]);

@@ -34,6 +34,14 @@ public record Vectors(double[] x, double[] y, double[] z) {
         }
     }
 
+    /** out = a . (b - v), where v is the same for all */
+    public void dotDifference(Vectors b, double vx, double vy, double vz, double[] out, int from, int to) {
+        double[] bx = b.x, by = b.y, bz = b.z;
+        for (int i = from; i < to; i++) {
+            out[i] = (bx[i] - vx) * x[i] + (by[i] - vy) * y[i] + (bz[i] - vz) * z[i];
+        }
+    }
+
     /** Adds other vectors times numbers. */
     public void addScaled(double[] factor, Vectors other, int from, int to) {
         addProduct(factor, other.x, x, from, to);

@@ -1,7 +1,6 @@
 package raytracer.tracer.primitive;
 
 import java.util.Arrays;
-import java.util.List;
 import raytracer.scene.Shape;
 import raytracer.tracer.arithmetic.PowerOfPoint;
 import raytracer.tracer.arithmetic.Rounding;
@@ -98,7 +97,7 @@ final class Sphere {
     /** Records the sphere for rays, from one index to another, that hit it. */
     void intersectAll(Rays rays, int from, int to, Workspace workspace) {
         double[] square = workspace.square;
-        alongs(rays.origin, rays.direction, workspace.along, from, to);
+        rays.direction.dotDifference(rays.origin, cx, cy, cz, workspace.along, from, to);
         squares(rays.origin, rays.direction, workspace.along, square, from, to);
         double power = rays.leaveEye
                 ? PowerOfPoint.of(rays.ox[from], rays.oy[from], rays.oz[from], cx, cy, cz, r) : 0;
@@ -161,7 +160,7 @@ final class Sphere {
     void blockAll(Rays rays, ShadowRays shadows, int from, int to, Workspace workspace) {
         double[] along = workspace.along, square = workspace.square, originError = shadows.originError;
         boolean[] unoccluded = shadows.unoccluded;
-        alongs(rays.origin, shadows.direction, along, from, to);
+        shadows.direction.dotDifference(rays.origin, cx, cy, cz, along, from, to);
         if (!mayBlockAny(rays.hit, unoccluded, along, from, to)) {
             return;
         }
@@ -266,14 +265,6 @@ final class Sphere {
         return Math.abs(power) <= error ? 0 : power > 0 ? 1 : -1;
     }
 
-    /** By ray, direction . (origin - centre). */
-    private void alongs(Vectors origin, Vectors direction, double[] out, int from, int to) {
-        double[] ox = origin.x(), oy = origin.y(), oz = origin.z(), dx = direction.x(), dy = direction.y(), dz = direction.z();
-        for (int i = from; i < to; i++) {
-            out[i] = (ox[i] - cx) * dx[i] + (oy[i] - cy) * dy[i] + (oz[i] - cz) * dz[i];
-        }
-    }
-
     /** By ray, the square of the perpendicular from the centre to the ray. */
     private void squares(Vectors origin, Vectors direction, double[] along, double[] out, int from, int to) {
         Arrays.fill(out, from, to, 0);
@@ -286,72 +277,6 @@ final class Sphere {
         for (int i = from; i < to; i++) {
             double e = o[i] - c - along[i] * d[i];
             out[i] += e * e;
-        }
-    }
-
-    /** A part of {@link #moveToHits}: three, called in one place, so that HotSpot inlines none and compiles each alone. */
-    private interface Step {
-
-        void run(Sphere sphere, Rays rays, int from, int to, Workspace workspace);
-    }
-
-    private static final List<Step> STEPS = List.of(Sphere::measureAlong, Sphere::bound, Sphere::move);
-
-    /** Moves rays, from one index to another, that all hit the sphere there, as {@link Surfaces#moveToHits} does. */
-    void moveToHits(Rays rays, int from, int to, Workspace workspace) {
-        for (int step = 0; step < 3; step++) {
-            STEPS.get(step).run(this, rays, from, to, workspace);
-        }
-    }
-
-    private void measureAlong(Rays rays, int from, int to, Workspace workspace) {
-        alongs(rays.origin, rays.direction, workspace.along, from, to);
-        rays.origin.l1Norm(cx, cy, cz, workspace.l1Norm, from, to);
-    }
-
-    /** Bounds how far off the points are, but for what they will round by. */
-    private void bound(Rays rays, int from, int to, Workspace workspace) {
-        double[] t = rays.distance, along = workspace.along, l1Norm = workspace.l1Norm;
-        double[] half = workspace.half, part = workspace.part;
-        for (int i = from; i < to; i++) {
-            half[i] = Math.abs(t[i] + along[i]);
-            part[i] = Rounding.spherePart(half[i], along[i], t[i]);
-        }
-        boundSinks(l1Norm, part, t, rays.originError, from, to);
-        boundSlides(rays, from, to, workspace);
-    }
-
-    private void boundSinks(double[] l1Norm, double[] part, double[] t, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = Rounding.sphereSink(l1Norm[i], r, part[i], t[i]);
-        }
-    }
-
-    private void boundSlides(Rays rays, int from, int to, Workspace workspace) {
-        double[] half = workspace.half, part = workspace.part, l1Norm = workspace.l1Norm;
-        double[] t = rays.distance, sink = rays.originError, slide = rays.slide;
-        for (int i = from; i < to; i++) {
-            slide[i] = Rounding.sphereSlide(l1Norm[i], r, half[i], part[i], t[i], sink[i]);
-        }
-    }
-
-    private void move(Rays rays, int from, int to, Workspace workspace) {
-        double[] l1Norm = workspace.l1Norm;
-        rays.origin.addScaled(rays.distance, rays.direction, from, to);
-        rays.origin.l1Norm(0, 0, 0, l1Norm, from, to);
-        boundErrors(rays, l1Norm, from, to);
-        // Not centre and radius times normal: near a huge sphere's surface that would round by much more.
-        rays.normal.setDifference(rays.origin, cx, cy, cz, from, to);
-        rays.normal.normalise(l1Norm, from, to);
-    }
-
-    private void boundErrors(Rays rays, double[] l1Norm, int from, int to) {
-        double[] t = rays.distance, error = rays.originError, slide = rays.slide, normalError = rays.normalError;
-        double reciprocal = 1 / r;
-        for (int i = from; i < to; i++) {
-            // Where the slide is not granted in full, a point leaves the sphere by up to three times the sink.
-            error[i] = 3 * error[i] + Rounding.point(t[i], l1Norm[i]);
-            normalError[i] = (error[i] + slide[i]) * reciprocal + 4 * Rounding.U;
         }
     }
 }

@@ -5,19 +5,17 @@ import raytracer.scene.Shape;
 import raytracer.scene.Vector;
 import raytracer.tracer.bvh.Bounds;
 
-/** The boxes of spheres. */
+/** The boxes of spheres, rounded outwards: far from the origin, a box could else leave out a part of its sphere. */
 public record SphereBounds(List<Shape.Sphere> spheres) implements Bounds {
 
     @Override
     public void of(int k, double[] box) {
         Vector c = spheres.get(k).centre();
         double r = spheres.get(k).radius();
-        box[0] = c.x() - r;
-        box[1] = c.y() - r;
-        box[2] = c.z() - r;
-        box[3] = c.x() + r;
-        box[4] = c.y() + r;
-        box[5] = c.z() + r;
+        for (int axis = 0; axis < 3; axis++) {
+            box[axis] = Math.nextDown(c.coordinate(axis) - r);
+            box[axis + 3] = Math.nextUp(c.coordinate(axis) + r);
+        }
     }
 
     @Override

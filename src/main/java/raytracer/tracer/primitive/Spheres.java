@@ -15,11 +15,13 @@ public final class Spheres extends Surfaces {
     public static final int LEAF_SIZE = 1;
 
     private final Sphere[] spheres;
+    private final SphereHits[] hits;
 
     /** @param inOrder in the order of the tree's leaves */
     public Spheres(List<Shape.Sphere> inOrder, int firstSurface, Bvh bvh) {
         super("spheres", firstSurface, bvh);
         spheres = new Sphere[inOrder.size()];
+        hits = inOrder.stream().map(SphereHits::new).toArray(SphereHits[]::new);
         for (int k = 0; k < spheres.length; k++) {
             spheres[k] = new Sphere(inOrder.get(k), surface(k), bvh.room());
         }
@@ -58,7 +60,7 @@ public final class Spheres extends Surfaces {
             while (end < to && rays.hit[end] == rays.hit[start]) {
                 end++;
             }
-            spheres[number(rays.hit[start])].moveToHits(rays, start, end, workspace);
+            hits[number(rays.hit[start])].moveToHits(rays, start, end, workspace);
         }
     }
 }

@@ -77,9 +77,14 @@ public final class LineBundle {
     public void setSkew(Vectors origin, Vectors direction, int from, int to) {
         set(origin.get(from), null, false, origin, from, to);
         round(direction, Vector.ZERO, 1, from, to);
-        moments(origin.y(), centre.y(), direction.z(), origin.z(), centre.z(), direction.y(), momentX, from, to);
-        moments(origin.z(), centre.z(), direction.x(), origin.x(), centre.x(), direction.z(), momentY, from, to);
-        moments(origin.x(), centre.x(), direction.y(), origin.y(), centre.y(), direction.x(), momentZ, from, to);
+        double cx = centre.x(), cy = centre.y(), cz = centre.z(), unit = 1 / spread;
+        double[] dx = direction.x(), dy = direction.y(), dz = direction.z();
+        for (int i = from; i < to; i++) {
+            double ox = (origin.x()[i] - cx) * unit, oy = (origin.y()[i] - cy) * unit, oz = (origin.z()[i] - cz) * unit;
+            momentX[i] = (float) (oy * dz[i] - oz * dy[i]);
+            momentY[i] = (float) (oz * dx[i] - ox * dz[i]);
+            momentZ[i] = (float) (ox * dy[i] - oy * dx[i]);
+        }
     }
 
     private void set(Vector seenFrom, Vector direction, boolean allMeet, Vectors origin, int from, int to) {
@@ -119,15 +124,6 @@ public final class LineBundle {
     private static void round(double[] values, double from, double unit, float[] out, int first, int to) {
         for (int i = first; i < to; i++) {
             out[i] = (float) ((values[i] - from) * unit);
-        }
-    }
-
-    /** One component of the moments, of the other two. */
-    private void moments(
-            double[] a, double ca, double[] da, double[] b, double cb, double[] db, float[] out, int from, int to) {
-        double unit = 1 / spread;
-        for (int i = from; i < to; i++) {
-            out[i] = (float) ((a[i] - ca) * unit * da[i] - (b[i] - cb) * unit * db[i]);
         }
     }
 
