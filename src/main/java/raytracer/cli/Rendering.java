@@ -92,6 +92,7 @@ final class Rendering {
             Renderer renderer = new Renderer(tracer, sampling, options.threads(), region, image);
             stats.rays = ProgressBar.during(
                     renderer::render, terminal.err(), options.has(Option.QUIET), renderer::progress);
+            stats.samples = renderer.samples();
             stats.renderMillis.add(rendering.millis());
         }
     }

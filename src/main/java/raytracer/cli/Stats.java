@@ -24,6 +24,7 @@ final class Stats {
     final List<Double> renderMillis = new ArrayList<>();
     double writeMillis;
     RayCounts rays = RayCounts.ZERO;
+    int samples;
 
     /** What every job's figures begin with. */
     static Map<String, Object> head(String file) {
@@ -56,6 +57,7 @@ final class Stats {
         figures.put("width", scene.width());
         figures.put("height", scene.height());
         figures.put("threads", threads);
+        figures.put("samples", samples);
         figures.put("parseMillis", parseMillis);
         figures.put("buildMillis", buildMillis);
         figures.put("renderMillis", renderMillis);
@@ -112,9 +114,9 @@ final class Stats {
         double seconds = renderMillis.get(renderMillis.size() - 1) / 1e3;
         Runtime java = Runtime.getRuntime();
         return String.format(Locale.ROOT,
-                "traced in %.0f ms: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
+                "traced in %.0f ms, %s a pixel: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
                         + "written in %.0f ms; %d MB of memory in use, %d MB allowed",
-                seconds * 1e3, rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6,
+                seconds * 1e3, counted(samples, "sample"), rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6,
                 writeMillis, java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
     }
 

@@ -13,7 +13,7 @@ public enum Option {
     CAMERA("LINE", "another camera: \"ex ey ez  ax ay az  ux uy uz  fov\""),
     MAXDEPTH("N", "override the scene's maxdepth"),
     SAMPLES("N", "N x N samples a pixel, 1 to 64; 1 is the reference",
-            "auto:E", "as many as an error of E takes; 1/255 if left out"),
+            "auto:E", "as many as an error of E takes, 1/510 or more (1/255)"),
     REGION("X,Y,W,H", "render only this part of the picture"),
     THREADS("N", "use N threads instead of one per core"),
     COMPARE("FILE", "compare with this picture; SCENE may be a picture too",

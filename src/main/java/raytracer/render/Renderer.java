@@ -28,6 +28,7 @@ public final class Renderer {
     private final Tiles tiles;
     private final PixelSink sink;
     private final AtomicLong done = new AtomicLong();
+    private volatile int samples = 1;
 
     /**
      * Good for one rendering.
@@ -51,6 +52,7 @@ public final class Renderer {
                 return onAllThreads(pool, () -> work(tracer, mine -> new CentreSampler(mine, new Samples())));
             }
             if (sampling instanceof Sampling.Grid grid) {
+                samples = grid.n() * grid.n();
                 Tracer enlarged = tracer.resized(Math.multiplyExact(grid.n(), tracer.width()),
                         Math.multiplyExact(grid.n(), tracer.height()));
                 return onAllThreads(pool, () -> work(enlarged, mine -> new PatternSampler(mine, Pattern.grid(grid.n()))));
@@ -74,7 +76,13 @@ public final class Renderer {
         return before.plus(renderLattice(new Sampling.Lattice(pilots.samples(), 0), pool));
     }
 
+    /** How many samples each pixel got, once it is rendered; those of pilots, which decide it, are more. */
+    public int samples() {
+        return samples;
+    }
+
     private RayCounts renderLattice(Sampling.Lattice lattice, ExecutorService pool) {
+        samples = lattice.count();
         return onAllThreads(pool, () -> work(tracer,
                 mine -> new PatternSampler(mine, Pattern.lattice(lattice.count(), lattice.seed()))));
     }

@@ -173,7 +173,9 @@ class EverydayTest extends CommandLine {
         assertEquals(0, run(scene, "-o", picture, "--verbose"));
         assertTrue(err().contains("2 spheres, 1 plane, 0 triangles, 1 light, maxdepth 3"), err());
         assertTrue(err().contains("\n2 spheres too wide for a tree\n"), err());
-        assertTrue(err().contains("3750 rays from the eye"), err());
+        assertTrue(err().contains(", 1 sample a pixel: 3750 rays from the eye"), err());
+        assertEquals(0, run(scene, "-o", picture, "--verbose", "--samples", "3"));
+        assertTrue(err().contains(", 9 samples a pixel: "), err());
     }
 
     @Test

@@ -98,6 +98,7 @@ class MainTest extends CommandLine {
                   "width": 8,
                   "height": 6,
                   "threads": 2,
+                  "samples": 1,
                   "parseMillis": T,
                   "buildMillis": T,
                   "renderMillis": [T, T, T],
