@@ -21,7 +21,7 @@ public final class Panel {
     private static final int INSET = 12;
 
     /** From one dot to the next where several would lie on one another. */
-    private static final int APART = 15;
+    private static final int APART = 17;
 
     /** Ticks of the x and y axis that are nearer to one another than this are not both named. */
     private static final int TICK_WIDTH = 34;
@@ -73,6 +73,9 @@ public final class Panel {
         private final List<double[]> dots = new ArrayList<>();
         private final StringBuilder out = new StringBuilder();
 
+        /** Over all bars and lines, so that none strikes a number through. */
+        private final StringBuilder discs = new StringBuilder();
+
         Drawing(int width, int height, List<String> names) {
             this.width = width;
             this.height = height;
@@ -102,7 +105,7 @@ public final class Panel {
             front();
             limits.forEach(y -> line("<path class='limit' d='M%d %.1f H%d'/>", LEFT, py(y), width - RIGHT));
             points.forEach(this::draw);
-            return out.toString();
+            return out.append(discs).toString();
         }
 
         private void ticks() {
@@ -162,7 +165,7 @@ public final class Panel {
             if (atX != x || atY != y) {
                 line("<path class='s%d' d='M%.1f %.1f L%.1f %.1f'/>", p.series, x, y, atX, atY);
             }
-            out.append(Figure.disc(atX, atY, p.series, names.indexOf(p.name) + 1));
+            discs.append(Figure.disc(atX, atY, p.series, names.indexOf(p.name) + 1));
         }
 
         private boolean isFree(double x, double y) {

@@ -19,6 +19,9 @@ final class Shading {
     /** The greatest whole exponent that is multiplied out. */
     private static final int MAX_MULTIPLIED = 1024;
 
+    /** Below this times the least double nothing is seen. */
+    private static final double BLINDING = 0x1p1000;
+
     private final List<LightSource> lights;
     private final Rays rays;
     final ShadowRays shadows;
@@ -144,8 +147,13 @@ final class Shading {
         cut(shadows.lambert, from, to);
         if (!material.specular().isBlack()) {
             cut(shadows.highlight, from, to);
-            raise(shadows.highlight, material.shininess(), from, to);
+            raise(shadows.highlight, isBlinding(light) ? material.shininess() / 2 : material.shininess(), from, to);
         }
+    }
+
+    /** Whether a light is so bright that a highlight may be seen which no double holds; its root then is what is raised. */
+    private static boolean isBlinding(Colour light) {
+        return Math.max(light.red(), Math.max(light.green(), light.blue())) > BLINDING;
     }
 
     private void darken(Material material, Colour light, int from, int to) {
@@ -160,9 +168,10 @@ final class Shading {
 
     private void add(Material material, Colour light, int from, int to) {
         Colour diffuse = material.diffuse(), specular = material.specular();
-        add(red, light.red(), diffuse.red(), specular.red(), from, to);
-        add(green, light.green(), diffuse.green(), specular.green(), from, to);
-        add(blue, light.blue(), diffuse.blue(), specular.blue(), from, to);
+        boolean isRoot = isBlinding(light);
+        add(red, light.red(), diffuse.red(), specular.red(), isRoot, from, to);
+        add(green, light.green(), diffuse.green(), specular.green(), isRoot, from, to);
+        add(blue, light.blue(), diffuse.blue(), specular.blue(), isRoot, from, to);
     }
 
     private static void cut(double[] cosine, int from, int to) {
@@ -172,11 +181,18 @@ final class Shading {
     }
 
     /** Adds the light to one component of colours; an infinite highlight of a black component adds nothing. */
-    private void add(double[] sum, double light, double diffuse, double specular, int from, int to) {
+    private void add(double[] sum, double light, double diffuse, double specular, boolean isRoot, int from, int to) {
         double[] lambert = shadows.lambert, highlight = shadows.highlight;
         if (light == 0 || specular == 0) {
             for (int i = from; i < to; i++) {
                 sum[i] += light * (diffuse * lambert[i]);
+            }
+            return;
+        }
+        if (isRoot) {
+            for (int i = from; i < to; i++) {
+                double root = Math.sqrt(light) * highlight[i];
+                sum[i] = sum[i] + light * (diffuse * lambert[i]) + specular * root * root;
             }
             return;
         }

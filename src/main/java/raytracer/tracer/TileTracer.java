@@ -51,7 +51,7 @@ public final class TileTracer {
     /** How many surfaces the paths of this round's rays have hit with the one that they hit now. */
     private int depth;
 
-    /** What is being traced: rays know their sample's number as their pixel. */
+    /** What is being traced: rays know the numbers of their samples. */
     private Samples samples;
 
     private long primaryCount;
@@ -146,7 +146,7 @@ public final class TileTracer {
     void addToSamples() {
         if (rays.leaveEye) {
             for (int i = 0; i < rays.count; i++) {
-                int p = rays.pixel[i];
+                int p = rays.sample[i];
                 samples.red[p] = shading.red[i];
                 samples.green[p] = shading.green[i];
                 samples.blue[p] = shading.blue[i];
@@ -154,7 +154,7 @@ public final class TileTracer {
             return;
         }
         for (int i = 0; i < rays.count; i++) {
-            int p = rays.pixel[i];
+            int p = rays.sample[i];
             samples.red[p] += times(rays.red[i], shading.red[i]);
             samples.green[p] += times(rays.green[i], shading.green[i]);
             samples.blue[p] += times(rays.blue[i], shading.blue[i]);
@@ -197,7 +197,7 @@ public final class TileTracer {
     }
 
     private boolean canChange(int i) {
-        int p = rays.pixel[i];
+        int p = rays.sample[i];
         return faintest.canChange(rays.red[i], samples.red[p], rays.green[i], samples.green[p], rays.blue[i],
                 samples.blue[p]);
     }

@@ -11,8 +11,8 @@ import raytracer.tracer.surface.SurfaceTable;
 import raytracer.tracer.surface.Surfaces;
 
 /**
- * A scene compiled for tracing: its surfaces by kind, each with a tree over those that are not too wide for one. Immutable;
- * threads share it, and each traces with a {@link TileTracer} of its own.
+ * A scene compiled for tracing: its surfaces by kind, each with a tree over those that are not too wide for one. Threads share
+ * it, and each traces with a {@link TileTracer} of its own.
  *
  * @param scene  what was compiled; its size, camera, maxdepth and lights may be others since
  * @param traced how many rays all threads together have traced, but for shadow rays

@@ -69,6 +69,14 @@ class ShadingTest {
     }
 
     @Test
+    void isHighlightedByALightSoBrightThatNoDoubleHoldsThePower() throws Exception {
+        // n.h is cos 60 degrees: 2^-1080, below the least double, times 1e308.
+        String light = "directional 0 " + Math.sqrt(3) + " -1  1e308 1e308 0\n";
+        double seen = Pictures.middle(light + "specular 1 1 1\nshininess 1080\n" + WALL)[0];
+        assertEquals(1, seen / (1e308 * 0x1p-1000 * 0x1p-80), 1e-10);
+    }
+
+    @Test
     void isHighlightedEvenWhereTheLightIsBehindTheSurface() throws Exception {
         // 120 degrees from the normal: no Lambert, and n.h is cos 60 degrees.
         String light = "directional 0 " + Math.sqrt(3) + " -1  1 1 1\n";

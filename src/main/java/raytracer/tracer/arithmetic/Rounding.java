@@ -120,7 +120,8 @@ public final class Rounding {
     /**
      * Bounds the error of direction . (edge x (a + b)), a and b being the edge's ends seen from the origin: the ends
      * round by u and the sum by 2u of their distance, products and sums by 6u of theirs times the edge, all of it twice
-     * at most; where the ray is off by some length, the result is by that times twice the edge.
+     * at most; where the ray is off by some length, the result is by that times twice the edge. Of rays that pass as near to
+     * the edge as it is long: of others the edge's own rounding counts for more, and the sign is beyond doubt.
      *
      * @param l1Norm |x| + |y| + |z| of the farther end
      * @param edge  |x| + |y| + |z| of the edge, or more

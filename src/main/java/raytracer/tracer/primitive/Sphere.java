@@ -49,7 +49,7 @@ final class Sphere {
         double originError = rays.originError[i], directionError = rays.directionError[i];
         double bound = Math.min(maxSquareError,
                 Rounding.sphereSquare(originError, directionError, l1Norm, r, along));
-        if (square < -bound || isClear(square, originError)) {
+        if (square < -bound || isClearlyMissed(square, originError)) {
             return Double.NaN;
         }
         double alongError = Rounding.along(originError, directionError, l1Norm);
@@ -106,7 +106,7 @@ final class Sphere {
             return;
         }
         for (int i = from; i < to; i++) {
-            if (!isClear(r * r - square[i], rays.originError[i])) {
+            if (!isClearlyMissed(r * r - square[i], rays.originError[i])) {
                 intersect(rays, i);
             }
         }
@@ -168,7 +168,7 @@ final class Sphere {
         int lightSide = sideOf(shadows.light);
         for (int i = from; i < to; i++) {
             double halfSquare = r * r - square[i];
-            if (unoccluded[i] && !isClear(halfSquare, originError[i])) {
+            if (unoccluded[i] && !isClearlyMissed(halfSquare, originError[i])) {
                 boolean isCertain = rays.hit[i] == surface ? along[i] >= 0
                         : lightSide > 0 && isCertain(along[i], halfSquare, originError[i]);
                 unoccluded[i] = isCertain ? along[i] >= 0 || -along[i] >= shadows.distance[i]
@@ -199,7 +199,7 @@ final class Sphere {
         double along = x * dx + y * dy + z * dz;
         double ex = x - along * dx, ey = y - along * dy, ez = z - along * dz;
         double square = r * r - (ex * ex + ey * ey + ez * ez), error = shadows.originError[i];
-        if (isClear(square, error)) {
+        if (isClearlyMissed(square, error)) {
             return false;
         }
         double l1Norm = Math.abs(x) + Math.abs(y) + Math.abs(z);
@@ -235,7 +235,7 @@ final class Sphere {
      * @param square r^2 less the square of the perpendicular from the centre: of half the chord, if the ray hits
      * @param error  how far off the ray's origin may be
      */
-    private boolean isClear(double square, double error) {
+    private boolean isClearlyMissed(double square, double error) {
         return square < -CLEAR * r * r && error <= SHARP * r;
     }
 

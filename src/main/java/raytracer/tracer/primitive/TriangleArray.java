@@ -170,7 +170,7 @@ final class TriangleArray {
     }
 
     /**
-     * The side on which a ray passes the edge between two corners: twice direction . (a x b), a and b being the corners
+     * The side on which a ray passes the edge between two corners: twice direction . (b x a), a and b being the corners
      * seen from the origin, as direction . ((b - a) x (a + b)): the edge is short where the ends are far, so the
      * products are smaller, and round by less. Exchanging a and b changes the sign and nothing else.
      */

@@ -8,7 +8,7 @@ import raytracer.tracer.arithmetic.Vectors;
 
 /**
  * A tile's rays, one array per quantity, and what they have hit. The rays in use are the first {@link #count}; each
- * belongs to one pixel of the tile.
+ * belongs to one sample of the batch.
  */
 public final class Rays {
 
@@ -27,7 +27,7 @@ public final class Rays {
     public final double[] minEyeDirection = new double[3];
     public final double[] maxEyeDirection = new double[3];
 
-    public final int[] pixel = new int[Batch.CAPACITY];
+    public final int[] sample = new int[Batch.CAPACITY];
 
     // Where each starts, and bounds on how far off that is: along the way on which the ray came there (once mirrored,
     // along the ray itself), and apart from that. The index of the surface it leaves.
@@ -82,7 +82,7 @@ public final class Rays {
         Arrays.fill(closeDistance, -1);
     }
 
-    /** Starts with rays of so many samples, from one on; they are yet to be aimed. A ray's pixel is its sample's number. */
+    /** Starts with rays of so many samples, from one on; they are yet to be aimed. Each knows its sample's number. */
     public void start(int from, int number) {
         count = number;
         leaveEye = true;
@@ -91,7 +91,7 @@ public final class Rays {
         Arrays.fill(green, 0, count, 1);
         Arrays.fill(blue, 0, count, 1);
         for (int i = 0; i < count; i++) {
-            pixel[i] = from + i;
+            sample[i] = from + i;
         }
     }
 
@@ -184,7 +184,7 @@ public final class Rays {
 
     /** Keeps some of the rays that have hit something, in a new order; nothing is known yet of where they arrive. */
     public void select(int[] order, int kept) {
-        select(pixel, order, kept);
+        select(sample, order, kept);
         select(hit, order, kept);
         // The other quantities are the same for all that leave the eye; and the next source is what was hit.
         select(leaveEye ? ofEyeRays : ofLaterRays, order, kept);

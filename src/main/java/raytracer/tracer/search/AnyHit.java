@@ -44,7 +44,7 @@ public final class AnyHit extends TreeSearch {
     }
 
     @Override
-    boolean isDone(int ray) {
+    boolean tryLikely(int ray) {
         return !shadows.unoccluded[ray] || lastBlocker >= 0 && tryOne(ray, lastBlocker);
     }
 

@@ -34,7 +34,7 @@ public final class ClosestHit extends TreeSearch {
     }
 
     @Override
-    boolean isDone(int ray) {
+    boolean tryLikely(int ray) {
         return false;
     }
 

@@ -51,8 +51,8 @@ abstract class TreeSearch implements Search {
     /** Tries one surface with all rays. */
     abstract void tryAll(int from, int to, int k);
 
-    /** Whether nothing has to be searched for a ray, after a likely surface has been tried. */
-    abstract boolean isDone(int ray);
+    /** Tries a likely surface with one ray, if there is one; returns whether nothing has to be searched for it. */
+    abstract boolean tryLikely(int ray);
 
     /** What is farther away along a ray does not matter. */
     abstract double maxDistance(int ray);
@@ -102,7 +102,7 @@ abstract class TreeSearch implements Search {
 
     private void walk(int from, int to) {
         for (int i = from; i < to; i++) {
-            if (!isDone(i)) {
+            if (!tryLikely(i)) {
                 walk(i);
             }
         }
