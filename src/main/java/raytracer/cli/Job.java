@@ -104,7 +104,8 @@ final class Job {
         }
         String place = e instanceof UsageException usage ? usage.place() : "", reason = reason(e);
         terminal.tell(input.name() + place + ": " + reason);
-        return grade(e instanceof UsageException ? ExitStatus.BAD_INPUT : ExitStatus.FAILED, options.isGrading() ? "not compared: " + reason : reason);
+        return grade(e instanceof UsageException ? ExitStatus.BAD_INPUT : ExitStatus.FAILED,
+                options.isGrading() ? "not compared: " + reason : reason);
     }
 
     /** Where many are graded, each has its line, also one that fails. */

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import raytracer.console.ExitStatus;
 import raytracer.console.Json;
 import raytracer.console.Option;
@@ -80,7 +81,8 @@ public final class Main {
             figures.add(job.figures());
         }
         if (options.isGrading()) {
-            terminal.answer(jobs.size() + " compared: " + count[ExitStatus.DONE] + " as they should be, " + count[ExitStatus.DIFFERS] + " different, "
+            terminal.answer(jobs.size() + " compared: " + count[ExitStatus.DONE] + " as they should be, "
+                    + count[ExitStatus.DIFFERS] + " different, "
                     + (count[ExitStatus.FAILED] + count[ExitStatus.BAD_INPUT]) + " failed");
         }
         if (stats != null) {
@@ -91,6 +93,7 @@ public final class Main {
                 OutputFile.write(statsFile, json);
             }
         }
-        return count[ExitStatus.DIFFERS] > 0 ? ExitStatus.DIFFERS : count[ExitStatus.BAD_INPUT] > 0 ? ExitStatus.BAD_INPUT : count[ExitStatus.FAILED] > 0 ? ExitStatus.FAILED : ExitStatus.DONE;
+        return IntStream.of(ExitStatus.DIFFERS, ExitStatus.BAD_INPUT, ExitStatus.FAILED).filter(status -> count[status] > 0)
+                .findFirst().orElse(ExitStatus.DONE);
     }
 }

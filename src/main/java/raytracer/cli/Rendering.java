@@ -66,7 +66,8 @@ final class Rendering {
         figures = stats.figures(outputs.input().name(), scene, options.threads());
         tellHowItWent();
         String advice = options.has(Option.REGION) ? null
-                : PictureAdvice.of(image, image.cutPixels() / options.whole(Option.REPEAT, 1), parsed.colours(), tracer, options.threads());
+                : PictureAdvice.of(image, image.cutPixels() / options.whole(Option.REPEAT, 1), parsed.colours(), tracer,
+                        options.threads());
         if (advice != null) {
             terminal.tell(outputs.input().name() + ": warning: " + advice);
         }

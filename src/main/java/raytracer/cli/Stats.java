@@ -116,8 +116,8 @@ final class Stats {
         return String.format(Locale.ROOT,
                 "traced in %.0f ms, %s a pixel: %d rays from the eye, %d to lights, %d from mirrors; %.1f Mrays/s%n"
                         + "written in %.0f ms; %d MB of memory in use, %d MB allowed",
-                seconds * 1e3, counted(samples, "sample"), rays.primary(), rays.shadow(), rays.reflection(), rays.total() / seconds / 1e6,
-                writeMillis, java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
+                seconds * 1e3, counted(samples, "sample"), rays.primary(), rays.shadow(), rays.reflection(),
+                rays.total() / seconds / 1e6, writeMillis, java.totalMemory() - java.freeMemory() >> 20, java.maxMemory() >> 20);
     }
 
     private static long count(Scene scene, Class<? extends Shape> kind) {

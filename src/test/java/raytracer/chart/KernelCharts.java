@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import raytracer.exact.ExactKernels;
 import raytracer.scene.Vector;
 import raytracer.tracer.KernelAccess;

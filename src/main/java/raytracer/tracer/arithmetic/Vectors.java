@@ -19,13 +19,6 @@ public record Vectors(double[] x, double[] y, double[] z) {
         return new Vector(x[i], y[i], z[i]);
     }
 
-    /** out = a . v, where a is the same for all. */
-    public void dot(double ax, double ay, double az, double[] out, int from, int to) {
-        for (int i = from; i < to; i++) {
-            out[i] = ax * x[i] + ay * y[i] + az * z[i];
-        }
-    }
-
     /** out = a . b */
     public void dot(Vectors other, double[] out, int from, int to) {
         double[] ax = x, ay = y, az = z, bx = other.x, by = other.y, bz = other.z;
@@ -55,7 +48,7 @@ public record Vectors(double[] x, double[] y, double[] z) {
         }
     }
 
-    /** Takes these from others: differences of vectors and one that is the same for all. */
+    /** Sets these to the differences of others and a vector that is the same for all. */
     public void setDifference(Vectors other, double vx, double vy, double vz, int from, int to) {
         setDifference(other.x, vx, x, from, to);
         setDifference(other.y, vy, y, from, to);

@@ -8,7 +8,6 @@ import raytracer.tracer.arithmetic.Vectors;
 import raytracer.tracer.rays.LightSource;
 import raytracer.tracer.rays.Rays;
 import raytracer.tracer.rays.ShadowRays;
-import raytracer.tracer.surface.Surfaces;
 import raytracer.tracer.surface.Workspace;
 
 /**
