@@ -118,8 +118,8 @@ final class Job {
     }
 
     private String reason(Throwable e) {
-        // Numbers overflow where they are sizes of arrays.
-        if (e instanceof OutOfMemoryError || e instanceof ArithmeticException) {
+        // Whole numbers overflow only where they are sizes of arrays.
+        if (e instanceof OutOfMemoryError || "integer overflow".equals(e.getMessage())) {
             return String.valueOf(e.getMessage()).contains("thread") ? "the system starts no more threads: --threads N uses fewer"
                     : "not enough memory: the scene and its picture need more than the "
                             + (Runtime.getRuntime().maxMemory() >> 20) + " MB that Java may use;"

@@ -140,7 +140,7 @@ class LawsTest {
             spheres.add(new Shape.Sphere(new Vector(away + coordinate(random, size), coordinate(random, size), coordinate(random, size)),
                     size * (.05 + random.nextDouble() / 10), new Material(Colour.BLACK, Colour.BLACK, Colour.BLACK, 1)));
         }
-        Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Bvh.LEAF_SIZE);
+        Bvh tree = BvhBuilder.build(500, new SphereBounds(spheres), Spheres.LEAF_SIZE);
         List<Shape.Sphere> ordered = Arrays.stream(tree.order()).mapToObj(spheres::get).toList();
         // Everything beside the tree: every ray tries every sphere.
         Surfaces with = new Spheres(ordered, 0, tree);

@@ -66,7 +66,8 @@ public final class RayIntervals {
 
     /**
      * In whole numbers that are in the same order as doubles, for which the processor needs no branch: comparisons of doubles
-     * are branches, and mispredicted where coordinates go up and down by the row.
+     * are branches, and mispredicted where coordinates go up and down by the row. With a NaN among the values an end of the
+     * interval is one, by which no comparison rules anything out.
      */
     private static void include(double[] values, int from, int to, double[] min, double[] max, int axis) {
         long low = Long.MAX_VALUE, high = Long.MIN_VALUE;

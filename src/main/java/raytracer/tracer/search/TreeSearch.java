@@ -71,7 +71,7 @@ abstract class TreeSearch implements Search {
         } else if (beam.count > 0) {
             prepare(from, to);
             beam.count = surfaces.sift(intervals, beam.primitives, beam.count, workspace);
-            if (beam.count > mostTried(to - from)) {
+            if (beam.count > maxTried(to - from)) {
                 walk(from, to);
             } else {
                 tryGathered(from, to);
@@ -79,8 +79,8 @@ abstract class TreeSearch implements Search {
         }
     }
 
-    /** What gathering and sifting cost must pay; of lines that meet or are parallel, most surfaces are cleared by vectors. */
-    private int mostTried(int count) {
+    /** So many surfaces are worth trying with every ray: more where loops of vectors clear most rays of them. */
+    private int maxTried(int count) {
         return surfaces.hasSieve() && workspace.lines.areAlike() ? FEW + count / 4 : FEW;
     }
 

@@ -20,14 +20,14 @@ public final class LineBundle {
      */
     private static final double FLOATS = 0x1p-18;
 
-    /** A loop over lines: of three kinds of them, called in one place, HotSpot inlines none and compiles each once. */
+    /** A loop over lines. All kinds are called in one place, where HotSpot then inlines none: so it compiles each once. */
     private interface Loop {
 
         void run(float[] a, float[] b, float[] out, int from, int to);
     }
 
-    private final Loop first = (a, b, out, from, to) -> dot(out, from, to);
-    private final Loop second = (a, b, out, from, to) -> addMoments(out, from, to);
+    private final Loop dot = (a, b, out, from, to) -> dot(out, from, to);
+    private final Loop addMoments = (a, b, out, from, to) -> addMoments(out, from, to);
     private final Loop differ = (a, b, out, from, to) -> differ(a, b, out, from, to);
     private final Loop max = (a, b, out, from, to) -> max(a, out, from, to);
 
@@ -224,9 +224,9 @@ public final class LineBundle {
 
     private void side(Vector a, Vector b, double scale, float[] out, int from, int to) {
         setEdge(a, b, scale);
-        run(first, out, out, out, from, to);
+        run(dot, out, out, out, from, to);
         if (!areAlike()) {
-            run(second, out, out, out, from, to);
+            run(addMoments, out, out, out, from, to);
         }
     }
 

@@ -87,9 +87,10 @@ class LineBundleTest {
             if (lines.areAlike()) {
                 lines.setIntervals(intervals);
                 mayHit = lines.mayHit(a, b, c, edges);
+                Vector aside = new Vector(9 * size, 0, 0);
+                sifted += lines.mayHit(a.minus(aside), b.minus(aside), c.minus(aside), edges) ? 0 : 1;
             }
             float clear = lines.measure(a, b, c, edges, 0, LINES);
-            sifted += mayHit ? 0 : 1;
             for (int i = 0; i < LINES; i++) {
                 // Within what doubles round by, it is on an edge.
                 if (depth(i, a, b, c) >= -1e-14 * size * size) {
@@ -104,6 +105,6 @@ class LineBundleTest {
         }
         assertTrue(passing > LINES * TRIANGLES / 200, passing + " pass");
         assertTrue(cleared > .99 * missing, cleared + " of " + missing + " are cleared");
-        assertTrue(kind.equals("skew") || sifted >= 0, sifted + " are sifted");
+        assertTrue(kind.equals("skew") || sifted > .9 * TRIANGLES, sifted + " are sifted");
     }
 }
